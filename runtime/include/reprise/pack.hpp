@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pack: the table of passes that reprisec generates from hlsl/pack.toml, and the SPIR-V of their variants.
+#pragma once
+
+#include "reprise/result.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reprise {
+
+enum class Stage : uint8_t { vertex, fragment, compute };
+
+// What a binding number of descriptor set 0 holds. A sampler belongs to the texture of the same name
+// (its own name ends in _sampler) and is clamp to edge, no mipmaps, of that texture's filter.
+enum class BindingKind : uint8_t { sampledImage, pointSampler, linearSampler, storageImage, uniformBuffer, storageBuffer };
+
+struct BindingInfo {
+    std::string_view name;   // the HLSL resource name; it is API
+    uint32_t binding;        // in set 0; the same in every variant of the pass
+    BindingKind kind;
+};
+
+struct SwitchInfo {
+    std::string_view name;                      // NEIGHBOURHOOD
+    std::span<const std::string_view> values;   // four_tap, square, rounded
+    uint8_t defaultValue;                       // index into values
+    std::string_view need;                      // which need of a scene turns it on; may be empty
+    std::string_view summary;
+};
+
+struct Condition {           // the image exists only when the switch has the value
+    std::string_view switchName;
+    std::string_view value;
+};
+
+struct ImageInfo {
+    std::string_view name;   // gInColour, gOutHistory
+    std::string_view space;  // meaning, space and unit
+    std::string_view format; // recommended: r32f, rg16f, rgba16f, rgba8
+    float scale;             // of the output extent
+    std::string_view history;            // the output that becomes this input in the next frame, or empty
+    std::span<const Condition> when;     // all must hold
+};
+
+struct PassInfo {
+    std::string_view name;                       // temporal_aa
+    std::string_view summary;
+    std::string_view source;                     // place in the documents
+    std::span<const Stage> stages;
+    bool fullscreen;                             // the fragment form is drawn by the pass fullscreen's vertex shader
+    uint32_t threads[3];                         // of a compute group
+    uint32_t pixelsPerThread[2];                 // of the compute form
+    uint32_t parameterBytes;                     // size of the uniform buffer at binding 0
+    std::span<const SwitchInfo> switches;
+    std::span<const BindingInfo> bindings;       // union over the variants
+    std::span<const ImageInfo> inputs;
+    std::span<const ImageInfo> outputs;          // fragment: SV_Target order
+};
+
+struct PresetInfo {
+    std::string_view name;                       // best
+    std::string_view summary;
+    std::span<const Condition> switches;         // differences from the defaults
+};
+
+// The value of each switch of a pass, in the order of the table. Empty means all defaults.
+struct Variant {
+    const PassInfo* pass = nullptr;
+    std::vector<uint8_t> values;
+};
+
+// All defaults of the pass named.
+Result<Variant> makeVariant(std::span<const PassInfo> passes, std::string_view passName);
+// Sets one switch; fails with a sentence that lists the valid names if there is none of that name or value.
+Result<void> setSwitch(Variant& variant, std::string_view switchName, std::string_view value);
+std::string_view switchValue(const Variant& variant, std::string_view switchName);
+bool exists(const Variant& variant, const ImageInfo& image);
+
+// Canonical name: the pass, then each switch off its default in table order, in lower case:
+// "temporal_aa--neighbourhood-square--colour_space-ycocg". Files are NAME.STAGE.spv with stage vert, frag or comp.
+std::string variantName(const Variant& variant);
+std::string spirvFileName(const Variant& variant, Stage stage);
+
+// Gives the SPIR-V of a variant: from a directory, from memory, or compiled on demand.
+using SpirvSource = std::function<Result<std::vector<uint32_t>>(const Variant&, Stage)>;
+
+// Reads NAME.STAGE.spv from `directory`; a missing file is ErrorCode::missingVariant naming the file.
+SpirvSource spirvFromDirectory(std::string directory);
+
+} // namespace reprise

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Renders a scene to what a temporal pass takes: lit HDR colour, device depth, normals, motion, IDs.
+#pragma once
+
+#include "harness.hpp"
+#include "scenes.hpp"
+
+namespace scenes {
+
+struct FrameTargets {
+    harness::Image colour;      // RGBA16F linear scene-referred; alpha 1
+    harness::Image depth;       // R32F copy of device depth, what passes read
+    harness::Image depthTest;   // D32F
+    harness::Image normal;      // RGBA16F world space
+    harness::Image motion;      // RG16F UV, curr - prev, unjittered
+    harness::Image ids;         // RG32UI instance, primitive (+1; 0 is sky)
+};
+
+class Renderer {
+public:
+    Renderer(harness::Gpu& gpu, const Scene& scene, uint32_t width, uint32_t height,
+             DepthKind depth = DepthKind::standard);
+    ~Renderer();
+    FrameTargets targets() const;   // new ones
+    // Renders frame `frame` (time frame / framesPerSecond, previous is frame - 1 except at frame 0) with the jitter.
+    void render(VkCommandBuffer commands, int frame, glm::dvec2 jitterPx, FrameTargets& targets);
+    // Display-referred ground truth: mean of displayColour() over `samples` (>= 64) jittered renderings of the frame,
+    // stratified over the pixel's square. RGB float, rows top to bottom, display-linear in [0,1].
+    std::vector<float> groundTruth(int frame, uint32_t samples);
+    const Scene& scene() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+// The tone curve of the report: Reinhard, x / (1 + x), per channel of linear scene-referred colour.
+// The report's error is measured after it; the picture's sRGB encoding comes after that.
+inline float displayColour(float linear) { return linear <= 0.0f ? 0.0f : linear / (1.0f + linear); }
+
+} // namespace scenes
