@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Between NDC, UV and pixels. Each converter stands beside its inverse.
+#ifndef REPRISE_COORDINATES_HLSLI
+#define REPRISE_COORDINATES_HLSLI
+
+// NDC y runs up and UV y down (Direct3D; Vulkan with a negative viewport height). Where both run the same way
+// (OpenGL; Vulkan without it) the engine sets NDC_AND_UV_SHARE_Y.
+#if NDC_AND_UV_SHARE_Y
+static const float2 NDC_TO_UV_SCALE = float2(0.5, 0.5);
+#else
+static const float2 NDC_TO_UV_SCALE = float2(0.5, -0.5);
+#endif
+
+// [-1,1]² to [0,1]².
+float2 ndcToUv(float2 ndc) {
+    return ndc * NDC_TO_UV_SCALE + 0.5;
+}
+
+// [0,1]² to [-1,1]².
+float2 uvToNdc(float2 uv) {
+    return (uv - 0.5) / NDC_TO_UV_SCALE;
+}
+
+// Pixel coordinates (centres at halves) to UV; texelSize is 1 / extent.
+float2 pxToUv(float2 px, float2 texelSize) {
+    return px * texelSize;
+}
+
+// UV to pixel coordinates; extent in pixels.
+float2 uvToPx(float2 uv, float2 extent) {
+    return uv * extent;
+}
+
+// True inside the image, edges included; false for NaN.
+bool isInsideUv(float2 uv) {
+    return all(abs(uv - 0.5) <= 0.5);
+}
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Holds history to the box of its neighbourhood. INSIDE, "Constraining history sample".
+#ifndef REPRISE_HISTORY_CONSTRAINT_HLSLI
+#define REPRISE_HISTORY_CONSTRAINT_HLSLI
+
+#include "reprise/neighbourhood.hlsli"
+
+// Below this, a side of a box counts as this long: far under a step of a binary16 history. It keeps 0/0 out of
+// the clip, which the printed form has for a box without extent.
+static const float MIN_BOX_EXTENT = 1e-7;
+// Turns 0/0 into 1 and is lost in any other sum.
+static const float TINY = 1e-30;
+
+// Each channel for itself: hue may shift, and colours gather in the corners of the box.
+float3 clampToBox(float3 history, ColourBox box) {
+    return clamp(history, box.minimum, box.maximum);
+}
+
+// Moves history along the line to the centre of the box until it is inside: clip_aabb of the talk (I6), with
+// `ax` read as max and the zero extent guarded.
+float3 clipToBoxCentre(float3 history, ColourBox box) {
+    float3 centre = 0.5 * (box.maximum + box.minimum);
+    float3 extent = max(0.5 * (box.maximum - box.minimum), MIN_BOX_EXTENT);
+    float3 offset = history - centre;
+    float3 unit = abs(offset) / extent;
+    float distanceInBoxes = max(unit.x, max(unit.y, unit.z));
+    return centre + offset / max(distanceInBoxes, 1.0);
+}
+
+// Moves history along the line to the current colour until it is inside: the line clip that the talk calls
+// proper and slow. A current colour outside the box, as the rounded one allows, is clamped first.
+float3 clipToBoxLine(float3 history, float3 current, ColourBox box) {
+    float3 start = clampToBox(current, box);
+    float3 direction = history - start;
+    float3 room = float3(direction.x > 0.0 ? box.maximum.x : box.minimum.x,
+                         direction.y > 0.0 ? box.maximum.y : box.minimum.y,
+                         direction.z > 0.0 ? box.maximum.z : box.minimum.z) - start;
+    // Per axis the share of the way that is inside: 1 where the way ends before the side, also for 0/0.
+    float3 share = (abs(room) + TINY) / (max(abs(direction), abs(room)) + TINY);
+    return start + direction * min(share.x, min(share.y, share.z));
+}
+
+#endif
