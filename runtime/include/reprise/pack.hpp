@@ -31,6 +31,7 @@ struct SwitchInfo {
     uint8_t defaultValue;                       // index into values
     std::string_view need;                      // which need of a scene turns it on; may be empty
     std::string_view summary;
+    std::span<const Stage> stages;              // where it has an effect; empty: in every stage
 };
 
 struct Condition {           // the image exists only when the switch has the value
@@ -84,12 +85,15 @@ bool exists(const Variant& variant, const ImageInfo& image);
 // Canonical name: the pass, then each switch off its default in table order, in lower case:
 // "temporal_aa--neighbourhood-square--colour_space-ycocg". Files are NAME.STAGE.spv with stage vert, frag or comp.
 std::string variantName(const Variant& variant);
+// The same variant with every switch that has no effect in `stage` at its default. File names are of this form.
+Variant forStage(const Variant& variant, Stage stage);
+std::string_view stageName(Stage stage);   // vert, frag or comp
 std::string spirvFileName(const Variant& variant, Stage stage);
 
 // Gives the SPIR-V of a variant: from a directory, from memory, or compiled on demand.
 using SpirvSource = std::function<Result<std::vector<uint32_t>>(const Variant&, Stage)>;
 
-// Reads NAME.STAGE.spv from `directory`; a missing file is ErrorCode::missingVariant naming the file.
+// Reads NAME.STAGE.spv from `directory` or from its folder named as the pass; a missing file is ErrorCode::missingVariant naming the file.
 SpirvSource spirvFromDirectory(std::string directory);
 
 } // namespace reprise
