@@ -93,7 +93,8 @@ std::string spirvFileName(const Variant& variant, Stage stage);
 // Gives the SPIR-V of a variant: from a directory, from memory, or compiled on demand.
 using SpirvSource = std::function<Result<std::vector<uint32_t>>(const Variant&, Stage)>;
 
-// Reads NAME.STAGE.spv from `directory` or from its folder named as the pass; a missing file is ErrorCode::missingVariant naming the file.
+// Reads NAME.STAGE.spv from `directory` or from its folder named as the pass; a missing file is
+// ErrorCode::missingVariant naming the file.
 SpirvSource spirvFromDirectory(std::string directory);
 
 } // namespace reprise
