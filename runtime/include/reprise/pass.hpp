@@ -7,6 +7,7 @@
 #include "reprise/pack.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 
 namespace reprise {
@@ -24,7 +25,7 @@ public:
     Result<void> begin(uint32_t slot);
 
 private:
-    friend class PassPipeline;
+    friend struct ArenaAccess;   // the runtime's own sources
     struct State;
     explicit FrameArena(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
@@ -66,6 +67,7 @@ public:
     std::span<const BindingInfo> bindings() const;
 
 private:
+    friend struct PassAccess;   // the runtime's own sources
     struct State;
     explicit PassPipeline(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
@@ -80,5 +82,11 @@ struct ImageState {
 extern const ImageState undefinedState, sampledState, attachmentState, storageState;
 void transition(const Device& device, VkCommandBuffer commands, const ImageRef& image, const ImageState& from,
                 const ImageState& to);
+// Several images in one barrier, which a GPU waits for once.
+struct ImageTransition {
+    ImageRef image;
+    ImageState from, to;
+};
+void transition(const Device& device, VkCommandBuffer commands, std::span<const ImageTransition> transitions);
 
 } // namespace reprise
