@@ -17,8 +17,11 @@
 };
 
 #if SKINNING
-[[vk::binding(2)]] StructuredBuffer<float4x4> gInJoints;
-[[vk::binding(3)]] StructuredBuffer<float4x4> gInPrevJoints;
+struct Joint {
+    row_major float4x4 toWorld;
+};
+[[vk::binding(2)]] StructuredBuffer<Joint> gInJoints;
+[[vk::binding(3)]] StructuredBuffer<Joint> gInPrevJoints;
 #endif
 
 struct VertexInput {
@@ -36,9 +39,11 @@ struct Varyings {
 };
 
 #if SKINNING
-float4 skin(StructuredBuffer<float4x4> palette, uint4 joints, float4 weights, float4 position) {
-    return weights.x * transform(palette[joints.x], position) + weights.y * transform(palette[joints.y], position) +
-           weights.z * transform(palette[joints.z], position) + weights.w * transform(palette[joints.w], position);
+float4 skin(StructuredBuffer<Joint> palette, uint4 joints, float4 weights, float4 position) {
+    return weights.x * transform(palette[joints.x].toWorld, position) +
+           weights.y * transform(palette[joints.y].toWorld, position) +
+           weights.z * transform(palette[joints.z].toWorld, position) +
+           weights.w * transform(palette[joints.w].toWorld, position);
 }
 #endif
 
