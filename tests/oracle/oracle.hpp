@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every function of hlsl/reprise again in double precision, written from the documents' mathematics and the
+// contracts of the headers. Tests compare with it; it includes nothing of the project.
+#pragma once
+
+#include "blend.hpp"
+#include "colour.hpp"
+#include "image.hpp"
+#include "jitter.hpp"
+#include "neighbourhood.hpp"
+#include "reprojection.hpp"
+#include "resampling.hpp"
