@@ -53,17 +53,25 @@ public:
 
     // Texels as the format stores them, rows top to bottom, no padding. Leaves the image in sampledState.
     void upload(Image& image, std::span<const std::byte> texels);
-    std::vector<std::byte> download(Image& image);
+    std::vector<std::byte> download(Image& image);   // leaves it in the state that it had
     // Channels as float, converted from or to the format (r8, rg8, rgba8 unorm, r16f, rg16f, rgba16f, r32f, rg32f,
     // rgba32f, d32f; uint formats through download()). `floats` has channels × width × height values.
     void uploadFloats(Image& image, std::span<const float> floats);
     std::vector<float> downloadFloats(Image& image);
 
-    // Moves the image from its tracked state.
+    // Moves the image from its tracked state; several in one barrier.
     void use(VkCommandBuffer commands, Image& image, const reprise::ImageState& to);
+    struct Use {
+        Image* image;
+        reprise::ImageState to;
+    };
+    void use(VkCommandBuffer commands, std::span<const Use> uses);
 
     // Records, submits and waits.
     void run(const std::function<void(VkCommandBuffer)>& record);
+
+    // How many of them there have been.
+    uint64_t submissions() const;
 
     // GPU time in milliseconds of each section, one submission; sections[i] is called between two timestamps
     // with full barriers around them, so that nothing overlaps.
@@ -73,6 +81,9 @@ private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+// States beside those of reprise/pass.hpp; depthReadState is that of FrameInput::depthAttachment.
+extern const reprise::ImageState transferSourceState, transferTargetState, depthAttachmentState, depthReadState;
 
 uint32_t channelCount(VkFormat format);
 VkFormat formatByName(std::string_view name);   // r32f, rg16f, rgba16f, rgba8 ...; throws on an unknown one
@@ -95,6 +106,7 @@ public:
 
 private:
     struct State;
+    reprise::FrameArena& arena();   // with room for one more record in this submission
     std::shared_ptr<State> state_;
 };
 
