@@ -3,6 +3,7 @@
 // colour, blended, and kept for the next frame. INSIDE I4 to I9, step by step in the talk's order.
 //
 // gInColour       linear scene-referred colour, rendered with the jitter gJitterPx
+// gInColourFiltered  the same image, for reads between texels (four taps, motion blur)
 // gInDepth        R32F or D32F device depth of the same rendering (CLOSEST_FRAGMENT)
 // gInVelocity     motion, times gMotionToUv = currUv - prevUv without jitter (MOTION)
 // gHistoryColour  gOutHistory of the frame before; any content where gHistoryValid is 0
@@ -34,10 +35,11 @@
     float gBlurToPx;      // motion from which motion blur alone is shown
 };
 
-TEXTURE_LINEAR(gInColour, 1);
+TEXTURE_POINT(gInColour, 1);
 TEXTURE_POINT(gInDepth, 2);
 TEXTURE_POINT(gInVelocity, 3);
 TEXTURE_LINEAR(gHistoryColour, 4);
+TEXTURE_LINEAR(gInColourFiltered, 5);
 
 // --- The space in which neighbourhood, clip and blend work
 
@@ -74,6 +76,10 @@ float workingLuminance(float3 colour) {
 
 float3 readColour(float2 uv) {
     return toWorkingSpace(SAMPLE(gInColour, uv).rgb);
+}
+
+float3 readColourFiltered(float2 uv) {
+    return toWorkingSpace(SAMPLE(gInColourFiltered, uv).rgb);
 }
 
 float2 readMotion(float2 uv) {
@@ -157,7 +163,7 @@ Resolved resolve(float2 uv, float2 motion, float3 current, ColourBox box) {
     // Fast fragments show no history at all: it trails where no neighbour forces it out.
     float trust = motionBlurTrust(length(motion * gOutputSize.xy), gBlurFromPx, gBlurToPx);
     float2 unjitteredUv = uv + gJitterPx * gOutputSize.zw;
-    float3 blurred = sampleMotion(TEXTURE_ARGUMENT(gInColour), unjitteredUv, motion);
+    float3 blurred = sampleMotion(TEXTURE_ARGUMENT(gInColourFiltered), unjitteredUv, motion);
     resolved.colour = lerp(blurred, resolved.history, trust);
 #endif
     return resolved;
@@ -169,15 +175,17 @@ Resolved resolve(float2 uv, float2 motion, float3 current, ColourBox box) {
 Resolved resolveFourTap(float2 uv, float2 motion) {
     float2 reach = fourTapDistance(length(motion * gOutputSize.xy)) * gOutputSize.zw;
     float3 centre = readColour(uv);
-    ColourBox box = boxOfFourTaps(centre, readColour(uv - reach), readColour(uv + float2(reach.x, -reach.y)),
-                                  readColour(uv + float2(-reach.x, reach.y)), readColour(uv + reach));
+    ColourBox box = boxOfFourTaps(centre, readColourFiltered(uv - reach),
+                                  readColourFiltered(uv + float2(reach.x, -reach.y)),
+                                  readColourFiltered(uv + float2(-reach.x, reach.y)),
+                                  readColourFiltered(uv + reach));
 #if COLOUR_SPACE_YCOCG
     box = shrinkChroma(box, centre);
 #endif
 #if UNJITTER_OFF
     return resolve(uv, motion, centre, box);
 #else
-    return resolve(uv, motion, readColour(uv + gJitterPx * gOutputSize.zw), box);
+    return resolve(uv, motion, readColourFiltered(uv + gJitterPx * gOutputSize.zw), box);
 #endif
 }
 

@@ -105,6 +105,16 @@ Result<void> checkExtents(const Variant& variant, std::span<const ImageInfo> inf
     return {};
 }
 
+// An image that a pass reads under two filters has two names; the caller gives it once.
+std::vector<NamedImage> withAliases(const PassInfo& pass, std::span<const NamedImage> images) {
+    std::vector<NamedImage> all(images.begin(), images.end());
+    for (const ImageInfo& input : pass.inputs) {
+        const ImageRef* original = input.sameAs.empty() ? nullptr : findImage(images, input.sameAs);
+        if (original != nullptr && findImage(images, input.name) == nullptr) all.push_back({input.name, *original});
+    }
+    return all;
+}
+
 // The extent of the first output, once all images are there and agree with it.
 Result<PreparedPass> prepareTargets(const Variant& variant, Stage stage, std::span<const NamedImage> images) {
     const PassInfo& pass = *variant.pass;
@@ -211,8 +221,10 @@ Result<void> PassPipeline::record(VkCommandBuffer commands, FrameArena& arena,
 }
 
 Result<PreparedPass> PassAccess::prepare(const PassPipeline& pass, FrameArena& arena,
-                                         const Resources& resources) {
+                                         const Resources& given) {
     const State& state = *pass.state_;
+    const auto images = withAliases(*state.variant.pass, given.images);
+    const Resources resources{images, given.buffers, given.parameters};
     auto prepared = prepareTargets(state.variant, state.stage, resources.images);
     if (!prepared) return prepared;
     auto set = writeSet(state.device, *state.variant.pass, state.interface, arena, resources);

@@ -46,6 +46,7 @@ struct ImageInfo {
     float scale;             // of the output extent
     std::string_view history;            // the output that becomes this input in the next frame, or empty
     std::span<const Condition> when;     // all must hold
+    std::string_view sameAs;             // the input whose image this is too, under another filter, or empty
 };
 
 struct PassInfo {
