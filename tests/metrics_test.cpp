@@ -15,7 +15,7 @@
 namespace {
 
 using report::Picture;
-using Image = std::vector<std::array<double, 3>>;   // row by row
+using Image = std::vector<std::array<double, 3>>; // row by row
 constexpr double pi = std::numbers::pi;
 
 // The oracle: two-dimensional convolutions as the paper writes them, no separation, no tables.
@@ -36,7 +36,8 @@ struct Oracle {
             for (int x = 0; x < width; ++x) {
                 double sum = 0.0;
                 for (int j = -radius; j <= radius; ++j)
-                    for (int i = -radius; i <= radius; ++i) sum += weight(i, j) * at(in, x + i, y + j);
+                    for (int i = -radius; i <= radius; ++i)
+                        sum += weight(i, j) * at(in, x + i, y + j);
                 out[static_cast<size_t>(y * width + x)] = sum;
             }
         return out;
@@ -51,7 +52,8 @@ struct Oracle {
         };
         double total = 0.0;
         for (int j = -radius; j <= radius; ++j)
-            for (int i = -radius; i <= radius; ++i) total += raw(i, j);
+            for (int i = -radius; i <= radius; ++i)
+                total += raw(i, j);
         return convolve(in, radius, [&](int i, int j) { return raw(i, j) / total; });
     }
 
@@ -65,12 +67,14 @@ struct Oracle {
         };
         double positive = 0.0, negative = 0.0;
         for (int j = -radius; j <= radius; ++j)
-            for (int i = -radius; i <= radius; ++i) (raw(i, j) > 0.0 ? positive : negative) += std::abs(raw(i, j));
+            for (int i = -radius; i <= radius; ++i)
+                (raw(i, j) > 0.0 ? positive : negative) += std::abs(raw(i, j));
         const auto weight = [&](int i, int j) { return raw(i, j) / (raw(i, j) > 0.0 ? positive : negative); };
         const auto x = convolve(in, radius, weight);
         const auto y = convolve(in, radius, [&](int i, int j) { return weight(j, i); });
         std::vector<double> out(in.size());
-        for (size_t i = 0; i < out.size(); ++i) out[i] = std::hypot(x[i], y[i]);
+        for (size_t i = 0; i < out.size(); ++i)
+            out[i] = std::hypot(x[i], y[i]);
         return out;
     }
 
@@ -94,7 +98,8 @@ struct Oracle {
     static std::array<double, 3> huntLab(const std::array<double, 3>& colour) {
         const auto c = xyz(colour);
         const double l = 116.0 * curve(c[1]) - 16.0;
-        return {l, 0.01 * l * 500.0 * (curve(c[0]) - curve(c[1])), 0.01 * l * 200.0 * (curve(c[1]) - curve(c[2]))};
+        return {l, 0.01 * l * 500.0 * (curve(c[0]) - curve(c[1])),
+                0.01 * l * 200.0 * (curve(c[1]) - curve(c[2]))};
     }
     static double hyab(const std::array<double, 3>& p, const std::array<double, 3>& q) {
         return std::abs(p[0] - q[0]) + std::hypot(p[1] - q[1], p[2] - q[2]);
@@ -121,7 +126,8 @@ struct Oracle {
         for (size_t i = 0; i < n; ++i) {
             const double fy = (y[i] + 16.0) / 116.0;
             auto c = rgb({fy + cx[i] / 500.0, fy, fy - cz[i] / 200.0});
-            for (double& v : c) v = std::clamp(v, 0.0, 1.0);
+            for (double& v : c)
+                v = std::clamp(v, 0.0, 1.0);
             result.lab[i] = huntLab(c);
         }
         return result;
@@ -129,7 +135,8 @@ struct Oracle {
 
     std::vector<double> map(const Picture& reference, const Picture& test) const {
         const Side r = side(reference), t = side(test);
-        const double largest = std::pow(hyab(huntLab({0, 1, 0}), huntLab({0, 0, 1})), 0.7), knee = 0.4 * largest;
+        const double largest = std::pow(hyab(huntLab({0, 1, 0}), huntLab({0, 0, 1})), 0.7),
+                     knee = 0.4 * largest;
         std::vector<double> out(r.edge.size());
         for (size_t i = 0; i < out.size(); ++i) {
             const double c = std::pow(hyab(r.lab[i], t.lab[i]), 0.7);
@@ -145,13 +152,15 @@ Picture noise(uint32_t width, uint32_t height, uint32_t seed, float scale = 1.0f
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> value(0.0f, scale);
     Picture p{width, height, std::vector<float>(3u * width * height)};
-    for (float& v : p.rgb) v = value(random);
+    for (float& v : p.rgb)
+        v = value(random);
     return p;
 }
 
 Picture flat(uint32_t width, uint32_t height, float r, float g, float b) {
     Picture p{width, height, {}};
-    for (uint32_t i = 0; i < width * height; ++i) p.rgb.insert(p.rgb.end(), {r, g, b});
+    for (uint32_t i = 0; i < width * height; ++i)
+        p.rgb.insert(p.rgb.end(), {r, g, b});
     return p;
 }
 
@@ -177,8 +186,8 @@ void expectLikeOracle(const Picture& reference, const Picture& test) {
     const auto expected = oracle.map(reference, test);
     const auto measured = report::flipMap(report::flipSide(reference), report::flipSide(test));
     ASSERT_EQ(expected.size(), measured.size());
-    // Float filters of unit weight keep 1e-6 of the planes' range of 100; 0.7th powers and the feature's square
-    // root magnify that near zero: 1e-3 bounds a pixel, and the mean has to agree far better.
+    // Float filters of unit weight keep 1e-6 of the planes' range of 100; 0.7th powers and the feature's
+    // square root magnify that near zero: 1e-3 bounds a pixel, and the mean has to agree far better.
     double mean = 0.0, expectedMean = 0.0;
     for (size_t i = 0; i < expected.size(); ++i) {
         EXPECT_NEAR(expected[i], static_cast<double>(measured[i]), 1e-3) << "pixel " << i;
@@ -189,11 +198,15 @@ void expectLikeOracle(const Picture& reference, const Picture& test) {
     EXPECT_NEAR(expectedMean / n, mean / n, 2e-5);
 }
 
-TEST(Flip, agreesWithTheDirectFormOnNoise) { expectLikeOracle(noise(33, 27, 1), noise(33, 27, 2)); }
+TEST(Flip, agreesWithTheDirectFormOnNoise) {
+    expectLikeOracle(noise(33, 27, 1), noise(33, 27, 2));
+}
 TEST(Flip, agreesWithTheDirectFormOnDarkNoise) {
     expectLikeOracle(noise(29, 31, 3, 0.02f), noise(29, 31, 4, 0.02f));
 }
-TEST(Flip, agreesWithTheDirectFormOnEdgesAndPoints) { expectLikeOracle(drawing(40, 25, 0), drawing(40, 25, 1)); }
+TEST(Flip, agreesWithTheDirectFormOnEdgesAndPoints) {
+    expectLikeOracle(drawing(40, 25, 0), drawing(40, 25, 1));
+}
 TEST(Flip, agreesWithTheDirectFormOnPicturesSmallerThanTheFilter) {
     expectLikeOracle(noise(1, 1, 5), noise(1, 1, 6));
     expectLikeOracle(noise(2, 7, 5), noise(2, 7, 6));
@@ -223,7 +236,8 @@ TEST(Flip, growsWithTheError) {
     double previous = 0.0;
     for (float t : {0.02f, 0.1f, 0.3f, 0.6f, 1.0f}) {
         Picture mixed = reference;
-        for (size_t i = 0; i < mixed.rgb.size(); ++i) mixed.rgb[i] += t * (other.rgb[i] - reference.rgb[i]);
+        for (size_t i = 0; i < mixed.rgb.size(); ++i)
+            mixed.rgb[i] += t * (other.rgb[i] - reference.rgb[i]);
         const double error = meanFlip(reference, mixed);
         EXPECT_GT(error, previous) << "share of the other picture " << t;
         previous = error;
@@ -249,10 +263,12 @@ TEST(Metrics, flickerIgnoresTheChangeOfTheReferenceAndAConstantError) {
     flicker.add(r0, r1, t0, t1);
     EXPECT_NEAR(0.0, flicker.value(), 1e-7);
     const std::vector<float> t2{0.85f, 0.4f};
-    flicker.add(r1, r1, t1, t2);   // one value of four changed by 0.2
+    flicker.add(r1, r1, t1, t2); // one value of four changed by 0.2
     EXPECT_NEAR(0.1, flicker.value(), 1e-6);
 }
 
-TEST(Metrics, flickerOfNoFramesIsZero) { EXPECT_EQ(0.0, report::Flicker().value()); }
+TEST(Metrics, flickerOfNoFramesIsZero) {
+    EXPECT_EQ(0.0, report::Flicker().value());
+}
 
 } // namespace

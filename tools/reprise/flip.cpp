@@ -19,7 +19,7 @@ using Plane = std::vector<float>;
 struct Kernel {
     bool antisymmetric = false;
     float centre = 0.0f;
-    std::vector<float> side;   // side[i] weighs the texel i + 1 to the right
+    std::vector<float> side; // side[i] weighs the texel i + 1 to the right
     int radius() const { return static_cast<int>(side.size()); }
 };
 
@@ -41,12 +41,12 @@ inline float log2Fast(float x) {
 
 // 2^x for x in [-126, 127], to 2e-7.
 inline float exp2Fast(float x) {
-    const float shifted = x + 12582912.0f;   // 1.5 * 2^23: adding it rounds to an integer in the low bits
+    const float shifted = x + 12582912.0f; // 1.5 * 2^23: adding it rounds to an integer in the low bits
     const int32_t whole = std::bit_cast<int32_t>(shifted) - 0x4b400000;
     const float f = x - (shifted - 12582912.0f);
     const float poly =
-        1.0f + f * (0.693147181f + f * (0.240226507f + f * (0.0555041087f + f * (0.00961812911f +
-                                                                                 f * 0.00133335581f))));
+        1.0f + f * (0.693147181f +
+                    f * (0.240226507f + f * (0.0555041087f + f * (0.00961812911f + f * 0.00133335581f))));
     return std::bit_cast<float>(std::bit_cast<int32_t>(poly) + (whole << 23));
 }
 
@@ -63,7 +63,8 @@ struct Matrix3 {
 
 double determinant(const Matrix3& a) {
     const auto& m = a.m;
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
@@ -90,7 +91,8 @@ Matrix3 rgbToRelativeXyz() {
     const Matrix3 inv = inverse(primaries);
     for (size_t i = 0; i < 3; ++i) {
         const double luminance = inv.m[i][0] * white[0] + inv.m[i][1] * white[1] + inv.m[i][2] * white[2];
-        for (size_t row = 0; row < 3; ++row) primaries.m[row][i] *= luminance / white[row];
+        for (size_t row = 0; row < 3; ++row)
+            primaries.m[row][i] *= luminance / white[row];
     }
     return primaries;
 }
@@ -113,7 +115,9 @@ const Colours& colours() {
     return table;
 }
 
-inline float row(const std::array<float, 3>& m, float x, float y, float z) { return m[0] * x + m[1] * y + m[2] * z; }
+inline float row(const std::array<float, 3>& m, float x, float y, float z) {
+    return m[0] * x + m[1] * y + m[2] * z;
+}
 
 // CIE's cube root with its linear toe.
 inline float labCurve(float t) {
@@ -165,9 +169,11 @@ void toHuntLab(Planes3& p) {
 
 void addTap(float* out, const float* left, const float* right, float weight, bool antisymmetric, int n) {
     if (antisymmetric)
-        for (int i = 0; i < n; ++i) out[i] += weight * (right[i] - left[i]);
+        for (int i = 0; i < n; ++i)
+            out[i] += weight * (right[i] - left[i]);
     else
-        for (int i = 0; i < n; ++i) out[i] += weight * (right[i] + left[i]);
+        for (int i = 0; i < n; ++i)
+            out[i] += weight * (right[i] + left[i]);
 }
 
 // Convolutions repeat the border texels, as the paper's do.
@@ -181,10 +187,11 @@ Plane filterRows(const Plane& in, Size size, const Kernel& kernel) {
         std::copy_n(source, width, padded.begin() + radius);
         std::fill_n(padded.begin() + radius + width, radius, source[width - 1]);
         const float* centre = padded.data() + radius;
-        for (int x = 0; x < width; ++x) target[x] = kernel.centre * centre[x];
+        for (int x = 0; x < width; ++x)
+            target[x] = kernel.centre * centre[x];
         for (int i = 1; i <= radius; ++i)
-            addTap(target, centre - i, centre + i, kernel.side[static_cast<size_t>(i - 1)], kernel.antisymmetric,
-                   width);
+            addTap(target, centre - i, centre + i, kernel.side[static_cast<size_t>(i - 1)],
+                   kernel.antisymmetric, width);
     }
     return out;
 }
@@ -192,15 +199,17 @@ Plane filterRows(const Plane& in, Size size, const Kernel& kernel) {
 Plane filterColumns(const Plane& in, Size size, const Kernel& kernel) {
     Plane out(size.texels());
     const auto rowAt = [&](int y) {
-        return in.data() + static_cast<size_t>(std::clamp(y, 0, size.height - 1)) * static_cast<size_t>(size.width);
+        return in.data() +
+               static_cast<size_t>(std::clamp(y, 0, size.height - 1)) * static_cast<size_t>(size.width);
     };
     for (int y = 0; y < size.height; ++y) {
         float* target = out.data() + static_cast<size_t>(y) * static_cast<size_t>(size.width);
         const float* centre = rowAt(y);
-        for (int x = 0; x < size.width; ++x) target[x] = kernel.centre * centre[x];
+        for (int x = 0; x < size.width; ++x)
+            target[x] = kernel.centre * centre[x];
         for (int i = 1; i <= kernel.radius(); ++i)
-            addTap(target, rowAt(y - i), rowAt(y + i), kernel.side[static_cast<size_t>(i - 1)], kernel.antisymmetric,
-                   size.width);
+            addTap(target, rowAt(y - i), rowAt(y + i), kernel.side[static_cast<size_t>(i - 1)],
+                   kernel.antisymmetric, size.width);
     }
     return out;
 }
@@ -210,7 +219,8 @@ struct Gaussian {
     double a, b;
 };
 // Section 4.1.1 and table 1 of the paper; a Gaussian whose amplitude is zero is left out.
-constexpr Gaussian achromatic{1.0, 0.0047}, redGreen{1.0, 0.0053}, blueYellow1{34.1, 0.04}, blueYellow2{13.5, 0.025};
+constexpr Gaussian achromatic{1.0, 0.0047}, redGreen{1.0, 0.0053}, blueYellow1{34.1, 0.04},
+    blueYellow2{13.5, 0.025};
 constexpr double widest = 0.04;
 
 int sensitivityRadius(double ppd) {
@@ -234,7 +244,8 @@ NormalisedKernel sensitivityKernel(const Gaussian& g, double ppd) {
         sum += 2.0 * side.back();
     }
     Kernel kernel{.antisymmetric = false, .centre = static_cast<float>(1.0 / sum), .side = {}};
-    for (double w : side) kernel.side.push_back(static_cast<float>(w / sum));
+    for (double w : side)
+        kernel.side.push_back(static_cast<float>(w / sum));
     return {std::move(kernel), sum};
 }
 
@@ -253,7 +264,8 @@ Plane blueYellowSensitivity(const Plane& in, Size size, double ppd) {
     Plane first = sensitivity(in, size, blueYellow1, ppd);
     const Plane second = sensitivity(in, size, blueYellow2, ppd);
     const auto s1 = static_cast<float>(w1 / (w1 + w2)), s2 = static_cast<float>(w2 / (w1 + w2));
-    for (size_t i = 0; i < first.size(); ++i) first[i] = s1 * first[i] + s2 * second[i];
+    for (size_t i = 0; i < first.size(); ++i)
+        first[i] = s1 * first[i] + s2 * second[i];
     return first;
 }
 
@@ -268,7 +280,7 @@ FeatureKernels featureKernels(double ppd) {
     const double sd = 0.5 * gw * ppd;
     const int radius = static_cast<int>(std::ceil(3.0 * sd));
     std::vector<double> g, e, p;
-    double smoothSum = 1.0, edgeSum = 0.0, positive = 0.0, negative = 1.0;   // the point's centre weighs -1
+    double smoothSum = 1.0, edgeSum = 0.0, positive = 0.0, negative = 1.0; // the point's centre weighs -1
     for (int i = 1; i <= radius; ++i) {
         const double x = i, gauss = std::exp(-x * x / (2.0 * sd * sd));
         g.push_back(gauss);
@@ -292,14 +304,16 @@ FeatureKernels featureKernels(double ppd) {
 
 Plane magnitude(const Plane& x, const Plane& y) {
     Plane out(x.size());
-    for (size_t i = 0; i < x.size(); ++i) out[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
+    for (size_t i = 0; i < x.size(); ++i)
+        out[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
     return out;
 }
 
 void addFeatures(const Plane& achromaticPlane, Size size, double ppd, FlipSide& side) {
     const FeatureKernels k = featureKernels(ppd);
     Plane y(achromaticPlane.size());
-    for (size_t i = 0; i < y.size(); ++i) y[i] = (achromaticPlane[i] + 16.0f) / 116.0f;
+    for (size_t i = 0; i < y.size(); ++i)
+        y[i] = (achromaticPlane[i] + 16.0f) / 116.0f;
     const Plane smooth = filterRows(y, size, k.smooth);
     side.edge = magnitude(filterColumns(filterRows(y, size, k.edge), size, k.smooth),
                           filterColumns(smooth, size, k.edge));
@@ -307,7 +321,7 @@ void addFeatures(const Plane& achromaticPlane, Size size, double ppd, FlipSide& 
                            filterColumns(smooth, size, k.point));
 }
 
-constexpr float qc = 0.7f, pc = 0.4f, pt = 0.95f;   // section 4.1.3
+constexpr float qc = 0.7f, pc = 0.4f, pt = 0.95f; // section 4.1.3
 
 float largestColourDifference() {
     // Hunt-adjusted green against blue, the farthest pair of the display's gamut.
@@ -350,7 +364,7 @@ std::vector<float> flipMap(const FlipSide& reference, const FlipSide& test) {
         const float colourError = std::clamp(colour < knee ? low : high, 0.0f, 1.0f);
         const float edge = std::abs(reference.edge[i] - test.edge[i]);
         const float point = std::abs(reference.point[i] - test.point[i]);
-        const float feature = std::sqrt(std::min(std::max(edge, point) * 0.707106781f, 1.0f));   // qf = 0.5
+        const float feature = std::sqrt(std::min(std::max(edge, point) * 0.707106781f, 1.0f)); // qf = 0.5
         // A difference of features raises the error: the exponent falls from 1 to 0.
         map[i] = powFast(colourError, 1.0f - feature);
     }
@@ -360,7 +374,8 @@ std::vector<float> flipMap(const FlipSide& reference, const FlipSide& test) {
 double flipMean(const FlipSide& reference, const FlipSide& test) {
     const std::vector<float> map = flipMap(reference, test);
     double sum = 0.0;
-    for (float v : map) sum += static_cast<double>(v);
+    for (float v : map)
+        sum += static_cast<double>(v);
     return map.empty() ? 0.0 : sum / static_cast<double>(map.size());
 }
 

@@ -8,7 +8,8 @@ namespace report {
 
 uint64_t countNotFinite(std::span<const float> values) {
     uint64_t count = 0;
-    for (float v : values) count += std::isfinite(v) ? 0u : 1u;
+    for (float v : values)
+        count += std::isfinite(v) ? 0u : 1u;
     return count;
 }
 
@@ -33,6 +34,8 @@ void Flicker::add(std::span<const float> previousReference, std::span<const floa
     count_ += reference.size();
 }
 
-double Flicker::value() const { return count_ == 0 ? 0.0 : std::sqrt(sum_ / static_cast<double>(count_)); }
+double Flicker::value() const {
+    return count_ == 0 ? 0.0 : std::sqrt(sum_ / static_cast<double>(count_));
+}
 
 } // namespace report
