@@ -193,12 +193,57 @@ Resolved resolveFourTap(float2 uv, float2 motion) {
 
 #if STAGE_COMPUTE
 
-// --- Compute: a thread resolves 2x2 pixels from the 4x4 texels around them, all in registers.
+// --- Compute: a thread resolves a column of pixels. Rows of texels are read once for the pixels above, on and
+// below them, and neighbouring threads read neighbouring texels. (A 2x2 a thread reads as little, but its reads
+// lie two texels apart, which a GPU's texture units serve at half speed; group-shared tiles were slower still.)
+
+static const int COLUMN = 4;   // pixels_per_thread of the table
 
 [[vk::binding(16)]] RWTexture2D<float4> gOutHistory;
 #if MOTION_BLUR_FALLBACK
 [[vk::binding(17)]] RWTexture2D<float4> gOutColour;
 #endif
+
+struct ColourRow {
+    float3 left, centre, right;
+};
+
+ColourRow readColourRow(float2 uv) {
+    ColourRow row;
+    row.left = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, -1, 0).rgb);
+    row.centre = readColour(uv);
+    row.right = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, 1, 0).rgb);
+    return row;
+}
+
+Neighbourhood neighbourhoodOf(ColourRow up, ColourRow own, ColourRow down) {
+    Neighbourhood n;
+    n.leftUp = up.left;
+    n.up = up.centre;
+    n.rightUp = up.right;
+    n.left = own.left;
+    n.centre = own.centre;
+    n.right = own.right;
+    n.leftDown = down.left;
+    n.down = down.centre;
+    n.rightDown = down.right;
+    return n;
+}
+
+// Depths left, centre and right of a row in xyz.
+DepthSquare depthSquareOf(float3 up, float3 own, float3 down) {
+    DepthSquare d;
+    d.leftUp = up.x;
+    d.up = up.y;
+    d.rightUp = up.z;
+    d.left = own.x;
+    d.centre = own.y;
+    d.right = own.z;
+    d.leftDown = down.x;
+    d.down = down.y;
+    d.rightDown = down.z;
+    return d;
+}
 
 void write(uint2 pixel, Resolved resolved) {
     if (any(pixel >= uint2(gOutputSize.xy))) return;
@@ -208,83 +253,45 @@ void write(uint2 pixel, Resolved resolved) {
 #endif
 }
 
-#if !NEIGHBOURHOOD_FOUR_TAP
-
-// The 3x3 around texel (x, y) of the inner 2x2, x and y in {1, 2}, of 4x4 texels in rows.
-Neighbourhood neighbourhoodOf(float3 texels[16], int x, int y) {
-    Neighbourhood n;
-    n.leftUp = texels[(y - 1) * 4 + x - 1];
-    n.up = texels[(y - 1) * 4 + x];
-    n.rightUp = texels[(y - 1) * 4 + x + 1];
-    n.left = texels[y * 4 + x - 1];
-    n.centre = texels[y * 4 + x];
-    n.right = texels[y * 4 + x + 1];
-    n.leftDown = texels[(y + 1) * 4 + x - 1];
-    n.down = texels[(y + 1) * 4 + x];
-    n.rightDown = texels[(y + 1) * 4 + x + 1];
-    return n;
-}
-
-#endif
-
-#if MOTION && CLOSEST_FRAGMENT
-
-DepthSquare depthSquareOf(float texels[16], int x, int y) {
-    DepthSquare d;
-    d.leftUp = texels[(y - 1) * 4 + x - 1];
-    d.up = texels[(y - 1) * 4 + x];
-    d.rightUp = texels[(y - 1) * 4 + x + 1];
-    d.left = texels[y * 4 + x - 1];
-    d.centre = texels[y * 4 + x];
-    d.right = texels[y * 4 + x + 1];
-    d.leftDown = texels[(y + 1) * 4 + x - 1];
-    d.down = texels[(y + 1) * 4 + x];
-    d.rightDown = texels[(y + 1) * 4 + x + 1];
-    return d;
-}
-
-#endif
-
-[numthreads(8, 8, 1)]
+[numthreads(16, 4, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
-    float2 firstPx = float2(thread.xy) * 2.0;   // upper left corner of the 2x2
-    if (any(firstPx >= gOutputSize.xy)) return;
+    uint2 firstPixel = uint2(thread.x, thread.y * COLUMN);
+    if (any(firstPixel >= uint2(gOutputSize.xy))) return;
+    float2 firstUv = pxToUv(float2(firstPixel) + 0.5, gOutputSize.zw);
 
+    // Row 0 is the one above the column.
 #if MOTION && CLOSEST_FRAGMENT
-    float depths[16];
-    [unroll] for (int block = 0; block < 4; ++block) {
-        int column = (block & 1) * 2, row = (block >> 1) * 2;
-        float4 four = GATHER_RED(gInDepth, pxToUv(firstPx + float2(column, row), gOutputSize.zw));
-        depths[row * 4 + column] = four.w;
-        depths[row * 4 + column + 1] = four.z;
-        depths[row * 4 + column + 4] = four.x;
-        depths[row * 4 + column + 5] = four.y;
+    float3 depthRows[COLUMN + 2];
+    [unroll] for (int pair = 0; pair < COLUMN + 2; pair += 2) {
+        float2 cornerUv = firstUv + float2(-0.5, float(pair) - 0.5) * gOutputSize.zw;
+        float4 left = GATHER_RED(gInDepth, cornerUv);
+        float4 right = GATHER_RED(gInDepth, cornerUv + float2(gOutputSize.z, 0.0));
+        depthRows[pair] = float3(left.w, left.z, right.z);
+        depthRows[pair + 1] = float3(left.x, left.y, right.y);
     }
 #endif
 #if !NEIGHBOURHOOD_FOUR_TAP
-    float3 colours[16];
-    [unroll] for (int texel = 0; texel < 16; ++texel) {
-        colours[texel] = readColour(pxToUv(firstPx + float2(texel & 3, texel >> 2) - 0.5, gOutputSize.zw));
-    }
+    ColourRow colourRows[COLUMN + 2];
+    [unroll] for (int row = 0; row < COLUMN + 2; ++row)
+        colourRows[row] = readColourRow(firstUv + float2(0.0, float(row - 1) * gOutputSize.w));
 #endif
 
-    [unroll] for (int pixel = 0; pixel < 4; ++pixel) {
-        int x = pixel & 1, y = pixel >> 1;
-        float2 uv = pxToUv(firstPx + float2(x, y) + 0.5, gOutputSize.zw);
+    [unroll] for (int y = 0; y < COLUMN; ++y) {
+        float2 uv = firstUv + float2(0.0, float(y) * gOutputSize.w);
 #if MOTION && CLOSEST_FRAGMENT
-        float2 closest = closestFragment(depthSquareOf(depths, x + 1, y + 1));
-        float2 motion = readMotion(uv + closest * gOutputSize.zw);
+        DepthSquare depths = depthSquareOf(depthRows[y], depthRows[y + 1], depthRows[y + 2]);
+        float2 motion = readMotion(uv + closestFragment(depths) * gOutputSize.zw);
 #else
         float2 motion = readMotion(uv);
 #endif
 #if NEIGHBOURHOOD_FOUR_TAP
         Resolved resolved = resolveFourTap(uv, motion);
 #else
-        Neighbourhood n = neighbourhoodOf(colours, x + 1, y + 1);
+        Neighbourhood n = neighbourhoodOf(colourRows[y], colourRows[y + 1], colourRows[y + 2]);
         float3 current = unjitteredColour(n, float2(1.0, 1.0));
         Resolved resolved = resolve(uv, motion, current, neighbourhoodBox(n));
 #endif
-        write(thread.xy * 2 + uint2(x, y), resolved);
+        write(firstPixel + uint2(0, y), resolved);
     }
 }
 
@@ -333,17 +340,16 @@ float2 readClosestOffset(float2 uv, float2 side) {
 #else
 
 Neighbourhood readNeighbourhood(float2 uv, float2 side) {
-    float2 texel = gOutputSize.zw;
     Neighbourhood n;
-    n.leftUp = readColour(uv - texel);
-    n.up = readColour(uv + float2(0.0, -texel.y));
-    n.rightUp = readColour(uv + float2(texel.x, -texel.y));
-    n.left = readColour(uv + float2(-texel.x, 0.0));
+    n.leftUp = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, -1, -1).rgb);
+    n.up = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, 0, -1).rgb);
+    n.rightUp = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, 1, -1).rgb);
+    n.left = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, -1, 0).rgb);
     n.centre = readColour(uv);
-    n.right = readColour(uv + float2(texel.x, 0.0));
-    n.leftDown = readColour(uv + float2(-texel.x, texel.y));
-    n.down = readColour(uv + float2(0.0, texel.y));
-    n.rightDown = readColour(uv + texel);
+    n.right = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, 1, 0).rgb);
+    n.leftDown = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, -1, 1).rgb);
+    n.down = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, 0, 1).rgb);
+    n.rightDown = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, 1, 1).rgb);
     return n;
 }
 

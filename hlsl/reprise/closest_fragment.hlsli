@@ -13,19 +13,21 @@ struct DepthSquare {
     float leftUp, rightUp, leftDown, rightDown;
 };
 
-// Depth in x, offset in texels in yz.
-float3 closerOf(float3 a, float3 b) {
-    return isCloser(b.x, a.x) ? b : a;
+// Depth in x and offset in y of the closest in a row; the centre wins against equals.
+float2 closestInRow(float left, float centre, float right) {
+    float2 side = isCloser(right, left) ? float2(right, 1.0) : float2(left, -1.0);
+    return isCloser(side.x, centre) ? side : float2(centre, 0.0);
 }
 
-// Offset in texels, each in {-1, 0, 1}, of the closest of nine. The centre wins against equals; NaN never wins
-// over it.
+// Offset in texels, each in {-1, 0, 1}, of the closest of nine. The own row wins against equals, and in it the
+// centre. Row by row: a thread that resolves a column of pixels shares the rows.
 float2 closestFragment(DepthSquare d) {
-    float3 row = closerOf(float3(d.left, -1.0, 0.0), float3(d.right, 1.0, 0.0));
-    float3 up = closerOf(float3(d.up, 0.0, -1.0), closerOf(float3(d.leftUp, -1.0, -1.0), float3(d.rightUp, 1.0, -1.0)));
-    float3 down =
-        closerOf(float3(d.down, 0.0, 1.0), closerOf(float3(d.leftDown, -1.0, 1.0), float3(d.rightDown, 1.0, 1.0)));
-    return closerOf(float3(d.centre, 0.0, 0.0), closerOf(row, closerOf(up, down))).yz;
+    float2 own = closestInRow(d.left, d.centre, d.right);
+    float2 up = closestInRow(d.leftUp, d.up, d.rightUp);
+    float2 down = closestInRow(d.leftDown, d.down, d.rightDown);
+    float2 outer = isCloser(down.x, up.x) ? down : up;
+    float outerY = isCloser(down.x, up.x) ? 1.0 : -1.0;
+    return isCloser(outer.x, own.x) ? float2(outer.y, outerY) : float2(own.y, 0.0);
 }
 
 #if HAS_GATHER
@@ -51,15 +53,15 @@ DepthSquare readDepthSquare(TEXTURE_PARAMETER(depth), float2 uv, float2 texelSiz
 #else
 DepthSquare readDepthSquare(TEXTURE_PARAMETER(depth), float2 uv, float2 texelSize) {
     DepthSquare d;
+    d.leftUp = SAMPLE_OFFSET(depth, uv, texelSize, -1, -1).r;
+    d.up = SAMPLE_OFFSET(depth, uv, texelSize, 0, -1).r;
+    d.rightUp = SAMPLE_OFFSET(depth, uv, texelSize, 1, -1).r;
+    d.left = SAMPLE_OFFSET(depth, uv, texelSize, -1, 0).r;
     d.centre = SAMPLE(depth, uv).r;
-    d.left = SAMPLE(depth, uv + float2(-texelSize.x, 0.0)).r;
-    d.right = SAMPLE(depth, uv + float2(texelSize.x, 0.0)).r;
-    d.up = SAMPLE(depth, uv + float2(0.0, -texelSize.y)).r;
-    d.down = SAMPLE(depth, uv + float2(0.0, texelSize.y)).r;
-    d.leftUp = SAMPLE(depth, uv + float2(-texelSize.x, -texelSize.y)).r;
-    d.rightUp = SAMPLE(depth, uv + float2(texelSize.x, -texelSize.y)).r;
-    d.leftDown = SAMPLE(depth, uv + float2(-texelSize.x, texelSize.y)).r;
-    d.rightDown = SAMPLE(depth, uv + texelSize).r;
+    d.right = SAMPLE_OFFSET(depth, uv, texelSize, 1, 0).r;
+    d.leftDown = SAMPLE_OFFSET(depth, uv, texelSize, -1, 1).r;
+    d.down = SAMPLE_OFFSET(depth, uv, texelSize, 0, 1).r;
+    d.rightDown = SAMPLE_OFFSET(depth, uv, texelSize, 1, 1).r;
     return d;
 }
 #endif

@@ -22,9 +22,8 @@ float3 clipToBoxCentre(float3 history, ColourBox box) {
     float3 centre = 0.5 * (box.maximum + box.minimum);
     float3 extent = max(0.5 * (box.maximum - box.minimum), MIN_BOX_EXTENT);
     float3 offset = history - centre;
-    float3 unit = abs(offset) / extent;
-    float distanceInBoxes = max(unit.x, max(unit.y, unit.z));
-    return centre + offset / max(distanceInBoxes, 1.0);
+    float3 share = extent / (abs(offset) + TINY);   // of the way that is inside, per axis
+    return centre + offset * min(min(share.x, 1.0), min(share.y, share.z));
 }
 
 // Moves history along the line to the current colour until it is inside: the line clip that the talk calls

@@ -15,10 +15,12 @@ struct ColourBox {
     float3 minimum, maximum;
 };
 
+// Smallest and largest of centre, left, right, up, down, per channel. Pairs left and right come first: a thread
+// that resolves a column of pixels shares them between rows.
 ColourBox boxOfPlus(Neighbourhood n) {
     ColourBox box;
-    box.minimum = min(n.centre, min(min(n.left, n.right), min(n.up, n.down)));
-    box.maximum = max(n.centre, max(max(n.left, n.right), max(n.up, n.down)));
+    box.minimum = min(min(min(n.left, n.right), n.centre), min(n.up, n.down));
+    box.maximum = max(max(max(n.left, n.right), n.centre), max(n.up, n.down));
     return box;
 }
 

@@ -4,6 +4,7 @@
 //   TEXTURE_POINT(gInDepth, 2)      a texture in slot 2 that is read with a point filter, clamped to its edge
 //   TEXTURE_LINEAR(gInColour, 1)    the same with a bilinear filter
 //   SAMPLE(gInColour, uv)           float4, mip level 0
+//   SAMPLE_OFFSET(gInColour, uv, texelSize, x, y)   the same, moved by whole texels, x and y constants in [-8, 7]
 //   GATHER_RED(gInDepth, uv)        the four red values around uv: (0,1), (1,1), (1,0), (0,0); only where HAS_GATHER
 //   TEXTURE_PARAMETER(colour)       a texture as parameter of a function, TEXTURE_ARGUMENT(gInColour) at the call
 //
@@ -20,6 +21,7 @@
 #define TEXTURE_PARAMETER(name) sampler2D name
 #define TEXTURE_ARGUMENT(name) name
 #define SAMPLE(name, uv) tex2Dlod(name, float4(uv, 0.0, 0.0))
+#define SAMPLE_OFFSET(name, uv, texelSize, x, y) SAMPLE(name, (uv) + float2(x, y) * (texelSize))
 #define HAS_GATHER 0
 
 #elif PLATFORM_D3D11
@@ -41,8 +43,9 @@
 #define TEXTURE_PARAMETER(name) Texture2D<float4> name, SamplerState name##_sampler
 #define TEXTURE_ARGUMENT(name) name, name##_sampler
 #define SAMPLE(name, uv) name.SampleLevel(name##_sampler, uv, 0.0)
-// ES 3.00 has no gather. Its derivatives may be coarse.
-#if PLATFORM_GLES
+#define SAMPLE_OFFSET(name, uv, texelSize, x, y) name.SampleLevel(name##_sampler, uv, 0.0, int2(x, y))
+// The fragment form for ES is 3.00, which has no gather.
+#if PLATFORM_GLES && !STAGE_COMPUTE
 #define HAS_GATHER 0
 #else
 #define HAS_GATHER 1
