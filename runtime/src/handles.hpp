@@ -3,10 +3,9 @@
 #pragma once
 
 #include "device_functions.hpp"
+#include "guarded.hpp"
 #include "reprise/device.hpp"
 
-#include <exception>
-#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -68,16 +67,5 @@ make(const Device& device,
 // Bytes of `requirements` in a memory type that has all of `wanted`.
 Result<Unique<VkDeviceMemory>> allocate(const Device& device, const VkMemoryRequirements& requirements,
                                         VkMemoryPropertyFlags wanted, std::string_view what);
-
-// Runs the body of a public call: an exception of the standard library or of a callback becomes an Error.
-template <class Body> auto guarded(Body&& body) noexcept -> decltype(body()) {
-    try {
-        return body();
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::outOfMemory, "Out of memory."};
-    } catch (const std::exception& exception) {
-        return Error{ErrorCode::invalidArgument, exception.what()};
-    }
-}
 
 } // namespace reprise

@@ -2,7 +2,7 @@
 // The camera of a frame and what passes need of it, computed in double precision.
 #pragma once
 
-#include <array>
+#include <cstdint>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -27,6 +27,9 @@ glm::dmat4 jitteredProjection(const glm::dmat4& viewToClip, glm::dvec2 jitterPx,
 
 // linear depth = 1 / (device * x + y) in perspective, device * x + y in orthographic projection.
 glm::dvec2 linearDepthCoefficients(const glm::dmat4& viewToClip);
+// View x and y of UV (u, v) are xy * (u, v) + zw: per metre of depth in perspective, in metres in orthographic
+// projection. The corner rays of INSIDE, "Reprojection of static scenes".
+glm::dvec4 viewRay(const glm::dmat4& viewToClip);
 bool isOrthographic(const glm::dmat4& viewToClip);
 // Takes current clip coordinates (NDC x, NDC y, device depth, 1) to previous clip coordinates, up to a factor.
 glm::dmat4 reprojection(const CameraFrame& current, const CameraFrame& previous);

@@ -23,7 +23,8 @@ struct SceneNeeds {
 struct Settings {
     Stage stage = Stage::compute;      // fragment or compute, for every full-screen pass
     std::string_view preset = "best";  // of temporal_aa
-    std::vector<Condition> overrides;  // switches of temporal_aa set by hand, after the preset and the needs
+    std::vector<Condition> overrides{};  // switches of temporal_aa set by hand, after the preset and the needs
+    std::string_view colourFormat{};     // of temporal_aa's outputs; empty: as the table recommends
 };
 
 struct Extent {
@@ -31,13 +32,15 @@ struct Extent {
 };
 
 struct PlannedImage {
-    std::string name;                  // resource name
+    std::string name;                  // resource name: of the output that writes it, or of the input that is external
     std::string format;
     Extent extent;
     bool history = false;              // two of them, kept from frame to frame
     bool external = false;             // the engine's
+    bool cleared = false;              // to zero before its first pass, because no pass writes the whole of it
     int firstPass = 0, lastPass = 0;   // lifetime; images whose lifetimes do not meet may share memory
-    uint64_t bytes = 0;
+    int memory = -1;                   // transient images with the same number share it; -1: history or external
+    uint64_t bytes = 0;                // of one
 };
 
 struct PlannedPass {
@@ -59,8 +62,12 @@ struct FramePlan {
     uint64_t bytesWithoutAliasing = 0;
 };
 
-// Errors: zeroExtent, invalidArgument (an unknown preset or switch).
-Result<FramePlan> plan(std::span<const PassInfo> passes, const SceneNeeds& needs, const Settings& settings,
-                       Extent extent);
+// An output gOutX of an earlier pass is the input gInX of a later one; an input that no pass writes is the engine's.
+// presets: of temporal_aa. Errors: zeroExtent, invalidArgument (an unknown preset, switch, format or stage).
+Result<FramePlan> plan(std::span<const PassInfo> passes, std::span<const PresetInfo> presets, const SceneNeeds& needs,
+                       const Settings& settings, Extent extent);
+
+// Gives transient images the `memory` that they may share, largest first, and the sums of the plan.
+void shareMemory(FramePlan& plan);
 
 } // namespace reprise

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan_switches.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace reprise {
+namespace {
+
+constexpr std::string_view temporalPass = "temporal_aa";
+
+enum class Wish { asPreset, off, on };
+
+struct Rule {
+    std::string_view switchName;
+    Wish wish;
+    std::string_view reason; // of off
+};
+
+std::array<Rule, 6> rulesFor(const SceneNeeds& needs) {
+    const auto onIf = [](bool condition) { return condition ? Wish::on : Wish::off; };
+    const Wish unlessStill = anythingMoves(needs) ? Wish::asPreset : Wish::off;
+    return {{
+        {"MOTION", unlessStill, "Neither the camera nor an object moves: history lies where it was."},
+        {"MOTION_BLUR_FALLBACK", onIf(needs.fastMotion),
+         "The scene has no fast motion that a player looks at: one target is enough."},
+        {"HDR_WEIGHT", needs.hdr ? Wish::asPreset : Wish::off, "The colour does not exceed display white."},
+        // Linear depth grows away from the camera, whatever the device depth does.
+        {"DEPTH_REVERSED", onIf(needs.reversedDepth && !needs.linearDepth), "Nearer is the smaller depth."},
+        {"DEPTH_LINEAR", onIf(needs.linearDepth), "Depth is device depth."},
+        {"ORTHOGRAPHIC", onIf(needs.orthographic), "The camera is a perspective one."},
+    }};
+}
+
+bool hasSwitch(const PassInfo& pass, std::string_view name) {
+    return std::ranges::any_of(pass.switches, [&](const SwitchInfo& info) { return info.name == name; });
+}
+
+Result<void> applyPreset(Variant& variant, std::span<const PresetInfo> presets, std::string_view name) {
+    const auto preset = std::ranges::find(presets, name, &PresetInfo::name);
+    if (preset == presets.end()) {
+        std::string known;
+        for (const PresetInfo& each : presets)
+            known += (known.empty() ? "" : ", ") + std::string(each.name);
+        return Error{ErrorCode::invalidArgument, "There is no preset '" + std::string(name) + "' of " +
+                                                     std::string(variant.pass->name) +
+                                                     "; choose one of: " + known + "."};
+    }
+    for (const Condition& condition : preset->switches)
+        if (auto set = setSwitch(variant, condition.switchName, condition.value); !set) return set;
+    return {};
+}
+
+Result<void> turnOff(Variant& variant, std::string_view name, std::string_view reason,
+                     std::vector<Dropped>& dropped) {
+    if (!hasSwitch(*variant.pass, name) || switchValue(variant, name) == "off") return {};
+    dropped.push_back({std::string(variant.pass->name) + ": " + std::string(name), std::string(reason)});
+    return setSwitch(variant, name, "off");
+}
+
+Result<void> applyNeeds(Variant& variant, const SceneNeeds& needs, std::vector<Dropped>& dropped) {
+    for (const Rule& rule : rulesFor(needs)) {
+        if (rule.wish == Wish::asPreset || !hasSwitch(*variant.pass, rule.switchName)) continue;
+        const auto set = rule.wish == Wish::on ? setSwitch(variant, rule.switchName, "on")
+                                               : turnOff(variant, rule.switchName, rule.reason, dropped);
+        if (!set) return set;
+    }
+    return {};
+}
+
+} // namespace
+
+bool anythingMoves(const SceneNeeds& needs) {
+    return needs.cameraMoves || needs.objectsMove;
+}
+
+Result<Variant> chooseVariant(const PassInfo& pass, std::span<const PresetInfo> presets,
+                              const SceneNeeds& needs, const Settings& settings,
+                              std::vector<Dropped>& dropped) {
+    auto variant = makeVariant({&pass, 1}, pass.name);
+    if (!variant) return variant;
+    const bool temporal = pass.name == temporalPass;
+    if (temporal)
+        if (auto set = applyPreset(*variant, presets, settings.preset); !set) return set.error();
+    if (auto set = applyNeeds(*variant, needs, dropped); !set) return set.error();
+    if (temporal)
+        for (const Condition& condition : settings.overrides)
+            if (auto set = setSwitch(*variant, condition.switchName, condition.value); !set)
+                return set.error();
+    // The closest fragment is looked for to take its motion.
+    if (hasSwitch(pass, "MOTION") && switchValue(*variant, "MOTION") == "off")
+        if (auto set = turnOff(*variant, "CLOSEST_FRAGMENT", "No motion is read.", dropped); !set)
+            return set.error();
+    return variant;
+}
+
+} // namespace reprise

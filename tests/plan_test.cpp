@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the frame plan keeps, leaves out and why, with the table of the repository.
+#include "reprise/plan.hpp"
+
+#include "reprisec.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace reprise;
+
+const reprisec::Pack& pack() {
+    static const auto loaded = reprisec::Pack::load("hlsl/pack.toml");
+    if (!loaded) throw std::runtime_error(loaded.error().message);
+    return *loaded;
+}
+
+Result<FramePlan> tryPlan(const SceneNeeds& needs, const Settings& settings = {},
+                          Extent extent = {640, 360}) {
+    return plan(pack().passes(), pack().presets("temporal_aa"), needs, settings, extent);
+}
+
+FramePlan planned(const SceneNeeds& needs, const Settings& settings = {}) {
+    auto result = tryPlan(needs, settings);
+    if (!result) throw std::runtime_error(result.error().message);
+    return *result;
+}
+
+std::vector<std::string> passNames(const FramePlan& plan) {
+    std::vector<std::string> names;
+    for (const PlannedPass& pass : plan.passes)
+        names.emplace_back(pass.variant.pass->name);
+    return names;
+}
+
+const PlannedImage* imageOf(const FramePlan& plan, std::string_view name) {
+    const auto found = std::ranges::find(plan.images, name, &PlannedImage::name);
+    return found == plan.images.end() ? nullptr : &*found;
+}
+
+std::string reasonFor(const FramePlan& plan, std::string_view pass) {
+    const auto found = std::ranges::find(plan.dropped, pass, &Dropped::pass);
+    return found == plan.dropped.end() ? "" : found->reason;
+}
+
+std::string valueOf(const FramePlan& plan, std::string_view switchName) {
+    return std::string(switchValue(plan.passes.back().variant, switchName));
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Plan, passesFollowFromTheNeeds) {
+    struct Row {
+        SceneNeeds needs;
+        Names passes;
+    };
+    const Row rows[] = {
+        {{}, {"camera_velocity", "object_velocity", "temporal_aa"}},
+        {{.objectsMove = false}, {"camera_velocity", "temporal_aa"}},
+        {{.cameraMoves = false}, {"object_velocity", "temporal_aa"}},
+        {{.cameraMoves = false, .objectsMove = false}, {"temporal_aa"}},
+        {{.engineWritesMotion = true}, {"temporal_aa"}},
+        {{.skinnedMeshes = true}, {"camera_velocity", "object_velocity", "object_velocity", "temporal_aa"}},
+        {{.antiAliasing = false}, {}},
+    };
+    for (const Row& row : rows) {
+        for (const Stage stage : {Stage::fragment, Stage::compute}) {
+            const FramePlan plan = planned(row.needs, {.stage = stage});
+            EXPECT_EQ(passNames(plan), row.passes);
+            for (const PlannedPass& pass : plan.passes)
+                EXPECT_EQ(pass.stage, pass.variant.pass->fullscreen ? stage : Stage::fragment);
+        }
+    }
+}
+
+TEST(Plan, everyPassOfTheTableIsPlannedOrDroppedWithASentence) {
+    for (int bits = 0; bits < 32; ++bits) {
+        const SceneNeeds needs{.antiAliasing = (bits & 1) != 0,
+                               .cameraMoves = (bits & 2) != 0,
+                               .objectsMove = (bits & 4) != 0,
+                               .skinnedMeshes = (bits & 8) != 0,
+                               .engineWritesMotion = (bits & 16) != 0};
+        const FramePlan plan = planned(needs);
+        const Names names = passNames(plan);
+        for (const PassInfo& pass : pack().passes()) {
+            if (pass.outputs.empty()) continue;
+            const bool kept = std::ranges::find(names, pass.name) != names.end();
+            const std::string reason = reasonFor(plan, pass.name);
+            EXPECT_NE(kept, !reason.empty()) << pass.name << " with needs " << bits;
+            EXPECT_TRUE(kept || reason.ends_with('.'));
+        }
+    }
+}
+
+TEST(Plan, nothingMovingTakesMotionOutOfTheShader) {
+    const FramePlan plan = planned({.cameraMoves = false, .objectsMove = false});
+    EXPECT_EQ(valueOf(plan, "MOTION"), "off");
+    EXPECT_EQ(valueOf(plan, "CLOSEST_FRAGMENT"), "off");
+    EXPECT_EQ(imageOf(plan, "gOutVelocity"), nullptr);
+    EXPECT_EQ(imageOf(plan, "gInDepth"), nullptr) << "depth is read for the closest fragment only";
+    EXPECT_NE(reasonFor(plan, "temporal_aa: MOTION"), "");
+}
+
+TEST(Plan, needsChooseTheSwitches) {
+    EXPECT_EQ(valueOf(planned({.hdr = true}, {.preset = "best"}), "HDR_WEIGHT"), "on");
+    EXPECT_EQ(valueOf(planned({.hdr = false}, {.preset = "best"}), "HDR_WEIGHT"), "off");
+    EXPECT_EQ(valueOf(planned({.fastMotion = false}, {.preset = "inside"}), "MOTION_BLUR_FALLBACK"), "off");
+    EXPECT_EQ(valueOf(planned({.fastMotion = true}, {.preset = "best"}), "MOTION_BLUR_FALLBACK"), "on");
+    EXPECT_EQ(valueOf(planned({.reversedDepth = true}), "DEPTH_REVERSED"), "on");
+    EXPECT_EQ(valueOf(planned({.reversedDepth = true, .linearDepth = true}), "DEPTH_REVERSED"), "off");
+    const FramePlan plan = planned({.orthographic = true, .linearDepth = true});
+    EXPECT_EQ(switchValue(plan.passes.front().variant, "ORTHOGRAPHIC"), "on");
+    EXPECT_EQ(switchValue(plan.passes.front().variant, "DEPTH_LINEAR"), "on");
+}
+
+TEST(Plan, quadSharingIsForTheFragmentForm) {
+    EXPECT_EQ(valueOf(planned({}, {.stage = Stage::fragment, .preset = "lean"}), "QUAD_SHARING"), "on");
+    EXPECT_EQ(valueOf(planned({}, {.stage = Stage::compute, .preset = "lean"}), "QUAD_SHARING"), "off");
+}
+
+TEST(Plan, overridesComeAfterPresetAndNeeds) {
+    const Settings settings{.overrides = {{"NEIGHBOURHOOD", "square"}, {"MOTION_BLUR_FALLBACK", "on"}}};
+    const FramePlan plan = planned({}, settings);
+    EXPECT_EQ(valueOf(plan, "NEIGHBOURHOOD"), "square");
+    ASSERT_NE(imageOf(plan, "gOutColour"), nullptr);
+    EXPECT_FALSE(imageOf(plan, "gOutColour")->history);
+}
+
+TEST(Plan, motionThatNobodyWritesIsCleared) {
+    const FramePlan still = planned({.cameraMoves = false});
+    ASSERT_NE(imageOf(still, "gOutVelocity"), nullptr);
+    EXPECT_TRUE(imageOf(still, "gOutVelocity")->cleared) << "objects are drawn over zero";
+    EXPECT_FALSE(imageOf(planned({}), "gOutVelocity")->cleared) << "the camera's motion covers it";
+    const FramePlan forced =
+        planned({.cameraMoves = false, .objectsMove = false}, {.overrides = {{"MOTION", "on"}}});
+    ASSERT_NE(imageOf(forced, "gOutVelocity"), nullptr);
+    EXPECT_TRUE(imageOf(forced, "gOutVelocity")->cleared);
+}
+
+TEST(Plan, theEnginesImagesCostNothing) {
+    const FramePlan plan = planned({.engineWritesMotion = true});
+    for (const auto* name : {"gInColour", "gInDepth", "gInVelocity"}) {
+        ASSERT_NE(imageOf(plan, name), nullptr) << name;
+        EXPECT_TRUE(imageOf(plan, name)->external) << name;
+    }
+    EXPECT_EQ(plan.bytes, 2u * 640 * 360 * 8) << "two histories of RGBA16F";
+}
+
+TEST(Plan, bytesAreThoseOfHistoryAndTransients) {
+    const FramePlan plan = planned({.fastMotion = true});
+    EXPECT_TRUE(imageOf(plan, "gOutHistory")->history);
+    EXPECT_EQ(plan.bytesWithoutAliasing, 640u * 360 * (2 * 8 + 8 + 4))
+        << "history, shown colour, RG16F motion";
+    EXPECT_EQ(plan.bytes, plan.bytesWithoutAliasing) << "both transients live in the last pass";
+    EXPECT_EQ(planned({}, {.colourFormat = "rgba32f"}).bytes, 640u * 360 * (2 * 16 + 4));
+}
+
+TEST(Plan, theSameNeedsGiveTheSamePlan) {
+    const FramePlan a = planned({.skinnedMeshes = true, .fastMotion = true});
+    const FramePlan b = planned({.skinnedMeshes = true, .fastMotion = true});
+    EXPECT_EQ(passNames(a), passNames(b));
+    ASSERT_EQ(a.images.size(), b.images.size());
+    for (size_t i = 0; i < a.images.size(); ++i) {
+        EXPECT_EQ(a.images[i].name, b.images[i].name);
+        EXPECT_EQ(a.images[i].memory, b.images[i].memory);
+    }
+}
+
+TEST(Plan, mistakesAreSentences) {
+    const auto message = [](const Result<FramePlan>& result) { return result ? "" : result.error().message; };
+    EXPECT_EQ(tryPlan({}, {}, {0, 360}).error().code, ErrorCode::zeroExtent);
+    EXPECT_NE(message(tryPlan({}, {.preset = "nicest"})).find("choose one of: inside, best, lean"),
+              std::string::npos)
+        << message(tryPlan({}, {.preset = "nicest"}));
+    EXPECT_NE(message(tryPlan({}, {.overrides = {{"SPEED", "on"}}})).find("SPEED"), std::string::npos);
+    EXPECT_NE(message(tryPlan({}, {.overrides = {{"CONSTRAINT", "tight"}}})).find("tight"),
+              std::string::npos);
+    EXPECT_EQ(tryPlan({}, {.stage = Stage::vertex}).error().code, ErrorCode::invalidArgument);
+    EXPECT_NE(message(tryPlan({}, {.colourFormat = "rgb5"})).find("rgb5"), std::string::npos);
+}
+
+PlannedImage transient(std::string name, int first, int last, uint64_t bytes) {
+    PlannedImage image;
+    image.name = std::move(name);
+    image.firstPass = first;
+    image.lastPass = last;
+    image.bytes = bytes;
+    return image;
+}
+
+// a 0..1, b 1..2, c 2..3, d 3..3: a and c never meet, nor b and d, nor a and d.
+TEST(Plan, imagesWhoseLivesDoNotMeetShareMemory) {
+    FramePlan plan;
+    plan.images = {transient("a", 0, 1, 100), transient("b", 1, 2, 80), transient("c", 2, 3, 60),
+                   transient("d", 3, 3, 40)};
+    shareMemory(plan);
+    for (size_t i = 0; i < plan.images.size(); ++i)
+        for (size_t j = i + 1; j < plan.images.size(); ++j) {
+            const PlannedImage &x = plan.images[i], &y = plan.images[j];
+            const bool meet = x.firstPass <= y.lastPass && y.firstPass <= x.lastPass;
+            EXPECT_FALSE(meet && x.memory == y.memory) << x.name << y.name;
+        }
+    EXPECT_EQ(plan.bytesWithoutAliasing, 280u);
+    EXPECT_EQ(plan.bytes, 180u) << "a with c in 100, b with d in 80";
+}
+
+} // namespace
