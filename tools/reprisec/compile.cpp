@@ -134,6 +134,25 @@ Result<Compiled> compileVariant(const Pack& pack, const Variant& variant, Stage 
     return compiled;
 }
 
+// Of the first stage that uses the parameters. HLSL that does not compile says so in compile(); here it is 0.
+uint32_t parameterBytes(const Pack& pack, size_t index) {
+    const PassInfo& pass = pack.storage->passes[index];
+    const fs::path& file = pack.storage->sources[index].file;
+    const Variant variant{&pass, {}};
+    const auto text = readText(file);
+    for (Stage stage : pass.stages) {
+        const auto defines = definesOf(pack, &variant, stage, {});
+        if (!text || !defines) return 0;
+        const Source source{file.string(), *text, std::string(entryPoint(stage)), stage, {},
+                            pack.storage->includeDirectories};
+        const auto front = hlslToSpirv(source, *defines);
+        if (!front) return 0;
+        const auto reflection = reflect(front->spirv, stage);
+        if (reflection && reflection->parameterBytes > 0) return reflection->parameterBytes;
+    }
+    return 0;
+}
+
 Error located(const Error& error, const std::string& what, Stage stage) {
     return {error.code, error.message + " [" + what + ", " + std::string(stageWord(stage)) + "]"};
 }
@@ -144,9 +163,11 @@ Result<Defines> definesFor(const Source& source, const Options& options) {
     for (const fs::path& directory : source.includeDirectories) {
         std::error_code ignored;
         if (!fs::is_regular_file(directory / "pack.toml", ignored)) continue;
-        auto pack = Pack::load(directory / "pack.toml");
-        if (!pack) return pack.error();
-        auto known = definesOf(*pack, nullptr, source.stage, {});
+        auto table = readTable(directory / "pack.toml");
+        if (!table) return table.error();
+        Pack pack;
+        pack.storage = *table;
+        auto known = definesOf(pack, nullptr, source.stage, {});
         if (!known) return known.error();
         defines.merge(*known);
     }
@@ -157,6 +178,17 @@ Result<Defines> definesFor(const Source& source, const Options& options) {
 }
 
 } // namespace
+
+Result<Pack> Pack::load(const fs::path& packToml) {
+    auto table = readTable(packToml);
+    if (!table) return table.error();
+    Pack pack;
+    pack.storage = *table;
+    for (size_t i = 0; i < pack.storage->passes.size(); ++i)
+        if (!pack.storage->sources[i].parameters.empty())
+            (*table)->passes[i].parameterBytes = parameterBytes(pack, i);
+    return pack;
+}
 
 Result<Compiled> compile(const Pack& pack, const Variant& variant, Stage stage, const Options& options) {
     const PassInfo* pass = findPass(pack, variant);

@@ -50,6 +50,9 @@ std::string upper(std::string_view text);
 std::string_view entryPoint(Stage stage);          // mainVertex, mainFragment, mainCompute
 std::string_view stageWord(Stage stage);           // vertex, fragment, compute
 
+// pack_toml.cpp: the table alone; Pack::load adds the sizes of the parameters, which only the HLSL knows.
+Result<std::shared_ptr<Pack::Storage>> readTable(const fs::path& packToml);
+
 // defines.cpp
 // Every macro of the table, 0 except where `variant` and the platform switches say otherwise.
 Result<Defines> definesOf(const Pack& pack, const Variant* variant, Stage stage, const Defines& platform);

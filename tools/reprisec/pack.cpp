@@ -31,6 +31,23 @@ Result<Variant> Pack::preset(std::string_view pass, std::string_view name) const
                                                  std::string(name) + "\"; it has: " + (known.empty() ? "none" : known)};
 }
 
+Result<Variant> Pack::parseVariant(std::string_view name) const {
+    const auto next = [&name] {
+        const size_t end = std::min(name.find("--"), name.size());
+        const std::string_view part = name.substr(0, end);
+        name.remove_prefix(std::min(end + 2, name.size()));
+        return part;
+    };
+    auto variant = reprise::makeVariant(passes(), next());
+    while (variant && !name.empty()) {
+        const std::string_view part = next();
+        const size_t dash = std::min(part.find('-'), part.size() - 1);
+        if (auto set = reprise::setSwitch(*variant, upper(part.substr(0, dash)), part.substr(dash + 1)); !set)
+            return set.error();
+    }
+    return variant;
+}
+
 std::vector<Variant> Pack::committedVariants(const PassInfo& pass) const {
     std::vector<Variant> variants;
     std::set<std::string> names;

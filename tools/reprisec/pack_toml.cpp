@@ -231,6 +231,9 @@ void Reader::readPass(const toml::table& table) {
     for (const ImageInfo& input : inputs)
         if (!input.history.empty() && std::ranges::find(outputs, input.history, &ImageInfo::name) == outputs.end())
             fail(table, "the history of " + std::string(input.name) + " is no output of the pass; correct it");
+    for (const ImageInfo& input : inputs)
+        if (!input.sameAs.empty() && std::ranges::find(inputs, input.sameAs, &ImageInfo::name) == inputs.end())
+            fail(table, "the same_as of " + std::string(input.name) + " is no input of the pass; correct it");
     std::ranges::sort(bindings, {}, &BindingInfo::binding);
     pass.inputs = inputs;
     pass.outputs = outputs;
@@ -278,10 +281,10 @@ Error located(const fs::path& file, const toml::source_region& where, std::strin
 
 } // namespace
 
-Result<Pack> Pack::load(const fs::path& packToml) {
+Result<std::shared_ptr<Pack::Storage>> readTable(const fs::path& packToml) {
     auto content = readText(packToml);
     if (!content) return content.error();
-    auto storage = std::make_shared<Storage>();
+    auto storage = std::make_shared<Pack::Storage>();
     storage->file = packToml;
     try {
         Reader(*storage).read(toml::parse(*content, packToml.string()));
@@ -290,9 +293,7 @@ Result<Pack> Pack::load(const fs::path& packToml) {
     } catch (const Mistake& mistake) {
         return located(packToml, mistake.where, mistake.message);
     }
-    Pack pack;
-    pack.storage = std::move(storage);
-    return pack;
+    return storage;
 }
 
 } // namespace reprisec

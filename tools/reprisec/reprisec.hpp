@@ -28,6 +28,8 @@ public:
     Result<Variant> preset(std::string_view pass, std::string_view preset) const;
     // Defaults, presets and single flips of a pass, without doubles.
     std::vector<Variant> committedVariants(const reprise::PassInfo& pass) const;
+    // The inverse of reprise::variantName.
+    Result<Variant> parseVariant(std::string_view name) const;
 
     struct Storage;
     std::shared_ptr<const Storage> storage;

@@ -160,6 +160,8 @@ Words withoutDebugNames(const Words& module) {
     return rewrite(module, [&](const Instruction& each, Words& out) {
         switch (each.opcode) {
         case spv::OpName:
+            if (each.words[2] == 0) return;   // glslang names the instance of a cbuffer ""
+            [[fallthrough]];
         case spv::OpMemberName:
             if (named.contains(each.words[1])) keep(each, out);
             return;

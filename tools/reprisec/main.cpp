@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program: pack.toml and HLSL in, files out.
+#include "output.hpp"
+
+#include <cstdio>
+#include <thread>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+using namespace reprisec;
+
+struct Arguments {
+    std::string pack = "hlsl/pack.toml", out = "generated", pass, stage, depfile;
+    std::vector<std::string> variants, targets;
+    unsigned jobs = std::max(std::thread::hardware_concurrency(), 1u);
+    bool check = false, list = false;
+};
+
+int fail(const std::string& message) {
+    fmt::print(stderr, "reprisec: {}\n", message);
+    return 1;
+}
+
+void addOptions(CLI::App& app, Arguments& arguments) {
+    app.add_option("--pack", arguments.pack, "The table of passes")->capture_default_str();
+    app.add_option("--out", arguments.out, "Directory of the output")->capture_default_str();
+    app.add_option("--pass", arguments.pass, "Only the committed variants of this pass");
+    app.add_option("--variant", arguments.variants,
+                   "Only this variant, by its canonical name, e.g. temporal_aa--neighbourhood-square; repeatable");
+    app.add_option("--stage", arguments.stage, "With --variant: only this stage")
+        ->check(CLI::IsMember({"vertex", "fragment", "compute"}));
+    app.add_option("--targets", arguments.targets, "What to write; all by default")
+        ->check(CLI::IsMember({"spirv", "glsl450", "glsles", "json"}));
+    app.add_option("--depfile", arguments.depfile, "Write the files read, as a makefile rule");
+    app.add_option("--jobs", arguments.jobs, "Threads")->check(CLI::Range(1u, 1024u))->capture_default_str();
+    app.add_flag("--check", arguments.check, "Write nothing; fail if the output directory is not up to date");
+}
+
+std::set<Target> targetsOf(const Arguments& arguments) {
+    if (arguments.targets.empty()) return {Target::spirv, Target::glsl450, Target::glslEs, Target::json};
+    std::set<Target> targets;
+    for (const std::string& name : arguments.targets)
+        targets.insert(name == "spirv"     ? Target::spirv
+                       : name == "glsl450" ? Target::glsl450
+                       : name == "glsles"  ? Target::glslEs
+                                           : Target::json);
+    return targets;
+}
+
+std::optional<Stage> stageOf(const std::string& name) {
+    for (Stage stage : {Stage::vertex, Stage::fragment, Stage::compute})
+        if (stageWord(stage) == name) return stage;
+    return std::nullopt;
+}
+
+Result<std::vector<Job>> wantedJobs(const Pack& pack, const Arguments& arguments) {
+    if (arguments.variants.empty()) {
+        if (!arguments.pass.empty())
+            if (auto known = reprise::makeVariant(pack.passes(), arguments.pass); !known) return known.error();
+        return committedJobs(pack, arguments.pass);
+    }
+    std::vector<Job> jobs;
+    for (const std::string& name : arguments.variants) {
+        auto variant = pack.parseVariant(name);
+        if (!variant) return variant.error();
+        const auto stage = stageOf(arguments.stage);
+        auto of = jobsOf(*variant, stage);
+        if (of.empty())
+            return Error{ErrorCode::invalidArgument,
+                         fmt::format("the pass {} has no {} stage", variant->pass->name, arguments.stage)};
+        jobs.insert(jobs.end(), of.begin(), of.end());
+    }
+    return jobs;
+}
+
+void list(const Pack& pack) {
+    for (const PassInfo& pass : pack.passes()) {
+        fmt::print("{}: {}\n", pass.name, pass.summary);
+        for (const auto& info : pass.switches) {
+            fmt::print("  {:<22}", info.name);
+            for (size_t i = 0; i < info.values.size(); ++i)
+                fmt::print("{}{}{}", i == info.defaultValue ? " [" : " ", info.values[i], i == info.defaultValue ? "]" : "");
+            fmt::print("  {}\n", info.summary);
+        }
+        for (const auto& preset : pack.presets(pass.name))
+            fmt::print("  preset {:<15} {}\n", preset.name, preset.summary);
+    }
+    for (const Job& job : committedJobs(pack, {}))
+        fmt::print("{}\n", outputPath(job, Target::spirv).generic_string());
+}
+
+int report(const Arguments& arguments, const std::vector<std::string>& differences, size_t files) {
+    for (const std::string& line : differences) fmt::print("{}\n", line);
+    if (!differences.empty())
+        return fail(fmt::format("{} is not up to date; run reprisec --pack {} --out {}", arguments.out,
+                                arguments.pack, arguments.out));
+    fmt::print("{} files of {} are up to date\n", files, arguments.out);
+    return 0;
+}
+
+int write(const Arguments& arguments, const Pack& pack, const std::vector<Product>& products, const Files& files,
+          bool whole) {
+    auto written = writeFiles(arguments.out, files);
+    if (!written) return fail(written.error().message);
+    std::error_code error;
+    if (whole)
+        for (const fs::path& path : superfluousFiles(arguments.out, files)) fs::remove(arguments.out / path, error);
+    if (!arguments.depfile.empty()) {
+        // A build system wants its outputs newer than what they come from, even where the bytes are the same.
+        for (const auto& [path, bytes] : files)
+            fs::last_write_time(arguments.out / path, fs::file_time_type::clock::now(), error);
+        if (auto done = writeDepfile(arguments.depfile, arguments.out, files, pack, products); !done)
+            return fail(done.error().message);
+    }
+    fmt::print("{} modules, {} of {} files written to {}\n", products.size(), *written, files.size(), arguments.out);
+    return 0;
+}
+
+int run(const Arguments& arguments) {
+    auto pack = Pack::load(arguments.pack);
+    if (!pack) return fail(pack.error().message);
+    if (arguments.list) return list(*pack), 0;
+    auto jobs = wantedJobs(*pack, arguments);
+    if (!jobs) return fail(jobs.error().message);
+
+    const bool interactive = isatty(fileno(stderr));
+    auto products = compileAll(*pack, *jobs, arguments.jobs, [&](size_t done, const Job&) {
+        if (interactive) fmt::print(stderr, "\rcompiling {}/{}{}", done, jobs->size(), done == jobs->size() ? "\n" : "");
+    });
+    if (!products) return fail(products.error().message);
+
+    const bool whole = arguments.variants.empty() && arguments.pass.empty() && arguments.targets.empty();
+    Files files = filesOf(*pack, *products, targetsOf(arguments));
+    if (whole) {
+        auto header = tableHeader(*pack, *products);
+        if (!header) return fail(header.error().message);
+        files["include/reprise/pack_table.hpp"] = *header;
+    }
+    if (!arguments.check) return write(arguments, *pack, *products, files, whole);
+    return report(arguments, compareFiles(arguments.out, files), files.size());
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Compiles the shader pack: SPIR-V, GLSL, reflection and the C++ table of passes."};
+    Arguments arguments;
+    addOptions(app, arguments);
+    app.add_subcommand("list", "Print passes, switches, presets and committed modules")
+        ->fallthrough()
+        ->callback([&] { arguments.list = true; });
+    CLI11_PARSE(app, argc, argv);
+    return run(arguments);
+}

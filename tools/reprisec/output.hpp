@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// From modules to files: compiled in parallel, compared or written whole.
+#pragma once
+
+#include "internal.hpp"
+
+namespace reprisec {
+
+struct Job {
+    Variant variant;   // as forStage gives it
+    Stage stage;
+};
+
+struct Product {
+    Job job;
+    Compiled compiled;
+};
+
+enum class Target { spirv, glsl450, glslEs, json };
+
+// Path relative to the output directory, and the bytes.
+using Files = std::map<fs::path, std::string>;
+
+// Every committed variant of `pass`, or of all passes if it is empty, in each of its stages.
+std::vector<Job> committedJobs(const Pack& pack, std::string_view pass);
+std::vector<Job> jobsOf(const Variant& variant, std::optional<Stage> stage);
+fs::path outputPath(const Job& job, Target target);
+
+// `progress` is called from one thread at a time with the number done. All errors come back, one a line.
+Result<std::vector<Product>> compileAll(const Pack& pack, const std::vector<Job>& jobs, unsigned threads,
+                                        const std::function<void(size_t, const Job&)>& progress);
+Files filesOf(const Pack& pack, const std::vector<Product>& products, const std::set<Target>& targets);
+
+// table.cpp: include/reprise/pack_table.hpp.
+Result<std::string> tableHeader(const Pack& pack, const std::vector<Product>& products);
+
+// Writes those that differ, each to a temporary file first that then takes its place; gives how many.
+Result<size_t> writeFiles(const fs::path& out, const Files& files);
+// Files of modules under `out` that are not among `files`.
+std::vector<fs::path> superfluousFiles(const fs::path& out, const Files& files);
+// One sentence for each file that differs, is missing or is superfluous.
+std::vector<std::string> compareFiles(const fs::path& out, const Files& files);
+Result<void> writeDepfile(const fs::path& depfile, const fs::path& out, const Files& files, const Pack& pack,
+                          const std::vector<Product>& products);
+
+} // namespace reprisec
