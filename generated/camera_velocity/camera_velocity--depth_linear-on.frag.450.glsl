@@ -1,0 +1,25 @@
+#version 450
+
+layout(binding = 0, std140) uniform CameraVelocityParameters
+{
+    mat4 gReprojection;
+    vec4 gViewRay;
+    vec4 gOutputSize;
+    vec2 gJitterUv;
+} parameters;
+
+layout(binding = 1) uniform sampler2D gInDepth;
+
+layout(location = 0) out vec2 gOutVelocity;
+
+void main()
+{
+    vec4 _53 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
+    float _54 = _53.x;
+    vec2 _58 = fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -parameters.gJitterUv);
+    vec4 _70 = parameters.gReprojection * vec4(fma(_58, parameters.gViewRay.xy, parameters.gViewRay.zw) * _54, _54, 1.0);
+    float _71 = _70.w;
+    bool _72 = _71 > 0.0;
+    gOutVelocity = _58 - mix(vec2(-8.0), clamp(fma(_70.xy / vec2(_72 ? _71 : 1.0), vec2(0.5, -0.5), vec2(0.5)), vec2(-8.0), vec2(8.0)), bvec2(_72));
+}
+

@@ -1,0 +1,32 @@
+#version 450
+layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
+
+layout(binding = 0, std140) uniform CameraVelocityParameters
+{
+    mat4 gReprojection;
+    vec4 gViewRay;
+    vec4 gOutputSize;
+    vec2 gJitterUv;
+} parameters;
+
+layout(binding = 16) uniform writeonly image2D gOutVelocity;
+layout(binding = 1) uniform sampler2D gInDepth;
+
+void main()
+{
+    do
+    {
+        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
+        {
+            break;
+        }
+        vec2 _64 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+        vec2 _75 = fma(_64, parameters.gOutputSize.zw, -parameters.gJitterUv);
+        vec4 _83 = parameters.gReprojection * vec4((_75 - vec2(0.5)) * vec2(2.0, -2.0), textureLod(gInDepth, _64 * parameters.gOutputSize.zw, 0.0).x, 1.0);
+        float _84 = _83.w;
+        bool _85 = _84 > 0.0;
+        imageStore(gOutVelocity, ivec2(gl_GlobalInvocationID.xy), vec4(_75 - mix(vec2(-8.0), clamp(fma(_83.xy / vec2(_85 ? _84 : 1.0), vec2(0.5, -0.5), vec2(0.5)), vec2(-8.0), vec2(8.0)), bvec2(_85)), 0.0, 0.0));
+        break;
+    } while(false);
+}
+

@@ -1,0 +1,127 @@
+#version 450
+
+layout(binding = 0, std140) uniform TemporalAaParameters
+{
+    vec4 gOutputSize;
+    vec2 gJitterPx;
+    vec2 gMotionToUv;
+    float gHistoryValid;
+    float gFeedbackMin;
+    float gFeedbackMax;
+    float gBlurFromPx;
+    float gBlurToPx;
+} parameters;
+
+layout(binding = 3) uniform sampler2D gInVelocity;
+layout(binding = 1) uniform sampler2D gInColour;
+layout(binding = 4) uniform sampler2D gHistoryColour;
+layout(binding = 5) uniform sampler2D gInColourFiltered;
+
+layout(location = 0) out vec4 gOutHistory;
+layout(location = 1) out vec4 gOutColour;
+
+void main()
+{
+    vec2 _74 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec2 _82 = textureLod(gInVelocity, _74, 0.0).xy * parameters.gMotionToUv;
+    vec4 _86 = textureLodOffset(gInColour, _74, 0.0, ivec2(-1));
+    float _87 = _86.x;
+    float _90 = _86.y;
+    float _93 = _86.z;
+    vec3 _97 = min(vec3((_87 > 0.0) ? _87 : 0.0, (_90 > 0.0) ? _90 : 0.0, (_93 > 0.0) ? _93 : 0.0), vec3(65504.0));
+    vec4 _99 = textureLodOffset(gInColour, _74, 0.0, ivec2(0, -1));
+    float _100 = _99.x;
+    float _103 = _99.y;
+    float _106 = _99.z;
+    vec3 _110 = min(vec3((_100 > 0.0) ? _100 : 0.0, (_103 > 0.0) ? _103 : 0.0, (_106 > 0.0) ? _106 : 0.0), vec3(65504.0));
+    vec4 _112 = textureLodOffset(gInColour, _74, 0.0, ivec2(1, -1));
+    float _113 = _112.x;
+    float _116 = _112.y;
+    float _119 = _112.z;
+    vec3 _123 = min(vec3((_113 > 0.0) ? _113 : 0.0, (_116 > 0.0) ? _116 : 0.0, (_119 > 0.0) ? _119 : 0.0), vec3(65504.0));
+    vec4 _125 = textureLodOffset(gInColour, _74, 0.0, ivec2(-1, 0));
+    float _126 = _125.x;
+    float _129 = _125.y;
+    float _132 = _125.z;
+    vec3 _136 = min(vec3((_126 > 0.0) ? _126 : 0.0, (_129 > 0.0) ? _129 : 0.0, (_132 > 0.0) ? _132 : 0.0), vec3(65504.0));
+    vec4 _138 = textureLod(gInColour, _74, 0.0);
+    float _139 = _138.x;
+    float _142 = _138.y;
+    float _145 = _138.z;
+    vec3 _149 = min(vec3((_139 > 0.0) ? _139 : 0.0, (_142 > 0.0) ? _142 : 0.0, (_145 > 0.0) ? _145 : 0.0), vec3(65504.0));
+    vec4 _151 = textureLodOffset(gInColour, _74, 0.0, ivec2(1, 0));
+    float _152 = _151.x;
+    float _155 = _151.y;
+    float _158 = _151.z;
+    vec3 _162 = min(vec3((_152 > 0.0) ? _152 : 0.0, (_155 > 0.0) ? _155 : 0.0, (_158 > 0.0) ? _158 : 0.0), vec3(65504.0));
+    vec4 _164 = textureLodOffset(gInColour, _74, 0.0, ivec2(-1, 1));
+    float _165 = _164.x;
+    float _168 = _164.y;
+    float _171 = _164.z;
+    vec3 _175 = min(vec3((_165 > 0.0) ? _165 : 0.0, (_168 > 0.0) ? _168 : 0.0, (_171 > 0.0) ? _171 : 0.0), vec3(65504.0));
+    vec4 _177 = textureLodOffset(gInColour, _74, 0.0, ivec2(0, 1));
+    float _178 = _177.x;
+    float _181 = _177.y;
+    float _184 = _177.z;
+    vec3 _188 = min(vec3((_178 > 0.0) ? _178 : 0.0, (_181 > 0.0) ? _181 : 0.0, (_184 > 0.0) ? _184 : 0.0), vec3(65504.0));
+    vec4 _190 = textureLodOffset(gInColour, _74, 0.0, ivec2(1));
+    float _191 = _190.x;
+    float _194 = _190.y;
+    float _197 = _190.z;
+    vec3 _201 = min(vec3((_191 > 0.0) ? _191 : 0.0, (_194 > 0.0) ? _194 : 0.0, (_197 > 0.0) ? _197 : 0.0), vec3(65504.0));
+    float _206 = max(-parameters.gJitterPx.x, 0.0);
+    float _208 = 1.0 - abs(parameters.gJitterPx.x);
+    float _209 = max(parameters.gJitterPx.x, 0.0);
+    vec3 _235 = (((((_97 * _206) + (_110 * _208)) + (_123 * _209)) * max(-parameters.gJitterPx.y, 0.0)) + ((((_136 * _206) + (_149 * _208)) + (_162 * _209)) * (1.0 - abs(parameters.gJitterPx.y)))) + ((((_175 * _206) + (_188 * _208)) + (_201 * _209)) * max(parameters.gJitterPx.y, 0.0));
+    vec3 _239 = min(min(min(_136, _162), _149), min(_110, _188));
+    vec3 _243 = max(max(max(_136, _162), _149), max(_110, _188));
+    vec3 _253 = (_239 + min(_239, min(min(_97, _123), min(_175, _201)))) * 0.5;
+    vec3 _255 = (_243 + max(_243, max(max(_97, _123), max(_175, _201)))) * 0.5;
+    vec2 _257 = fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_82);
+    vec4 _261 = textureLod(gHistoryColour, _257, 0.0);
+    float _262 = _261.x;
+    float _265 = _261.y;
+    float _268 = _261.z;
+    vec3 _274 = (_255 + _253) * 0.5;
+    vec3 _278 = min(vec3((_262 > 0.0) ? _262 : 0.0, (_265 > 0.0) ? _265 : 0.0, (_268 > 0.0) ? _268 : 0.0), vec3(65504.0)) - _274;
+    vec3 _281 = max((_255 - _253) * 0.5, vec3(1.0000000116860974230803549289703e-07)) / (abs(_278) + vec3(1.0000000031710768509710513471353e-30));
+    vec3 _303 = min(_235 + (((_274 + (_278 * min(min(_281.x, 1.0), min(_281.y, _281.z)))) - _235) * (all(lessThanEqual(abs(_257 - vec2(0.5)), vec2(0.5))) ? (parameters.gFeedbackMax * parameters.gHistoryValid) : 0.0)), vec3(65504.0));
+    vec2 _316 = fma(gl_FragCoord.xy, parameters.gOutputSize.zw, parameters.gJitterPx * parameters.gOutputSize.zw);
+    vec2 _319 = _82 * 0.083333335816860198974609375;
+    vec4 _321 = textureLod(gInColourFiltered, _316, 0.0);
+    float _322 = _321.x;
+    float _325 = _321.y;
+    float _328 = _321.z;
+    vec2 _334 = _319 * 1.0;
+    vec4 _336 = textureLod(gInColourFiltered, _316 + _334, 0.0);
+    float _337 = _336.x;
+    float _340 = _336.y;
+    float _343 = _336.z;
+    vec4 _351 = textureLod(gInColourFiltered, _316 - _334, 0.0);
+    float _352 = _351.x;
+    float _355 = _351.y;
+    float _358 = _351.z;
+    vec2 _365 = _319 * 2.0;
+    vec4 _367 = textureLod(gInColourFiltered, _316 + _365, 0.0);
+    float _368 = _367.x;
+    float _371 = _367.y;
+    float _374 = _367.z;
+    vec4 _382 = textureLod(gInColourFiltered, _316 - _365, 0.0);
+    float _383 = _382.x;
+    float _386 = _382.y;
+    float _389 = _382.z;
+    vec2 _396 = _319 * 3.0;
+    vec4 _398 = textureLod(gInColourFiltered, _316 + _396, 0.0);
+    float _399 = _398.x;
+    float _402 = _398.y;
+    float _405 = _398.z;
+    vec4 _413 = textureLod(gInColourFiltered, _316 - _396, 0.0);
+    float _414 = _413.x;
+    float _417 = _413.y;
+    float _420 = _413.z;
+    vec3 _425 = (((((min(vec3((_322 > 0.0) ? _322 : 0.0, (_325 > 0.0) ? _325 : 0.0, (_328 > 0.0) ? _328 : 0.0), vec3(65504.0)) + min(vec3((_337 > 0.0) ? _337 : 0.0, (_340 > 0.0) ? _340 : 0.0, (_343 > 0.0) ? _343 : 0.0), vec3(65504.0))) + min(vec3((_352 > 0.0) ? _352 : 0.0, (_355 > 0.0) ? _355 : 0.0, (_358 > 0.0) ? _358 : 0.0), vec3(65504.0))) + min(vec3((_368 > 0.0) ? _368 : 0.0, (_371 > 0.0) ? _371 : 0.0, (_374 > 0.0) ? _374 : 0.0), vec3(65504.0))) + min(vec3((_383 > 0.0) ? _383 : 0.0, (_386 > 0.0) ? _386 : 0.0, (_389 > 0.0) ? _389 : 0.0), vec3(65504.0))) + min(vec3((_399 > 0.0) ? _399 : 0.0, (_402 > 0.0) ? _402 : 0.0, (_405 > 0.0) ? _405 : 0.0), vec3(65504.0))) + min(vec3((_414 > 0.0) ? _414 : 0.0, (_417 > 0.0) ? _417 : 0.0, (_420 > 0.0) ? _420 : 0.0), vec3(65504.0));
+    vec3 _428 = mix(_425 * vec3(0.14285714924335479736328125), _303, vec3(clamp((parameters.gBlurToPx - length(_82 * parameters.gOutputSize.xy)) / (parameters.gBlurToPx - parameters.gBlurFromPx), 0.0, 1.0)));
+    gOutHistory = vec4(_303, 1.0);
+    gOutColour = vec4(_428, 1.0);
+}
+

@@ -1,0 +1,123 @@
+#version 300 es
+precision highp float;
+precision highp int;
+
+layout(std140) uniform TemporalAaParameters
+{
+    vec4 gOutputSize;
+    vec2 gJitterPx;
+    vec2 gMotionToUv;
+    float gHistoryValid;
+    float gFeedbackMin;
+    float gFeedbackMax;
+    float gBlurFromPx;
+    float gBlurToPx;
+} parameters;
+
+uniform highp sampler2D gInColour;
+uniform highp sampler2D gHistoryColour;
+uniform highp sampler2D gInColourFiltered;
+
+layout(location = 0) out vec4 gOutHistory;
+layout(location = 1) out vec4 gOutColour;
+
+void main()
+{
+    vec2 _71 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _75 = textureLodOffset(gInColour, _71, 0.0, ivec2(-1));
+    float _76 = _75.x;
+    float _79 = _75.y;
+    float _82 = _75.z;
+    vec3 _86 = min(vec3((_76 > 0.0) ? _76 : 0.0, (_79 > 0.0) ? _79 : 0.0, (_82 > 0.0) ? _82 : 0.0), vec3(65504.0));
+    vec4 _88 = textureLodOffset(gInColour, _71, 0.0, ivec2(0, -1));
+    float _89 = _88.x;
+    float _92 = _88.y;
+    float _95 = _88.z;
+    vec3 _99 = min(vec3((_89 > 0.0) ? _89 : 0.0, (_92 > 0.0) ? _92 : 0.0, (_95 > 0.0) ? _95 : 0.0), vec3(65504.0));
+    vec4 _101 = textureLodOffset(gInColour, _71, 0.0, ivec2(1, -1));
+    float _102 = _101.x;
+    float _105 = _101.y;
+    float _108 = _101.z;
+    vec3 _112 = min(vec3((_102 > 0.0) ? _102 : 0.0, (_105 > 0.0) ? _105 : 0.0, (_108 > 0.0) ? _108 : 0.0), vec3(65504.0));
+    vec4 _114 = textureLodOffset(gInColour, _71, 0.0, ivec2(-1, 0));
+    float _115 = _114.x;
+    float _118 = _114.y;
+    float _121 = _114.z;
+    vec3 _125 = min(vec3((_115 > 0.0) ? _115 : 0.0, (_118 > 0.0) ? _118 : 0.0, (_121 > 0.0) ? _121 : 0.0), vec3(65504.0));
+    vec4 _127 = textureLod(gInColour, _71, 0.0);
+    float _128 = _127.x;
+    float _131 = _127.y;
+    float _134 = _127.z;
+    vec3 _138 = min(vec3((_128 > 0.0) ? _128 : 0.0, (_131 > 0.0) ? _131 : 0.0, (_134 > 0.0) ? _134 : 0.0), vec3(65504.0));
+    vec4 _140 = textureLodOffset(gInColour, _71, 0.0, ivec2(1, 0));
+    float _141 = _140.x;
+    float _144 = _140.y;
+    float _147 = _140.z;
+    vec3 _151 = min(vec3((_141 > 0.0) ? _141 : 0.0, (_144 > 0.0) ? _144 : 0.0, (_147 > 0.0) ? _147 : 0.0), vec3(65504.0));
+    vec4 _153 = textureLodOffset(gInColour, _71, 0.0, ivec2(-1, 1));
+    float _154 = _153.x;
+    float _157 = _153.y;
+    float _160 = _153.z;
+    vec3 _164 = min(vec3((_154 > 0.0) ? _154 : 0.0, (_157 > 0.0) ? _157 : 0.0, (_160 > 0.0) ? _160 : 0.0), vec3(65504.0));
+    vec4 _166 = textureLodOffset(gInColour, _71, 0.0, ivec2(0, 1));
+    float _167 = _166.x;
+    float _170 = _166.y;
+    float _173 = _166.z;
+    vec3 _177 = min(vec3((_167 > 0.0) ? _167 : 0.0, (_170 > 0.0) ? _170 : 0.0, (_173 > 0.0) ? _173 : 0.0), vec3(65504.0));
+    vec4 _179 = textureLodOffset(gInColour, _71, 0.0, ivec2(1));
+    float _180 = _179.x;
+    float _183 = _179.y;
+    float _186 = _179.z;
+    vec3 _190 = min(vec3((_180 > 0.0) ? _180 : 0.0, (_183 > 0.0) ? _183 : 0.0, (_186 > 0.0) ? _186 : 0.0), vec3(65504.0));
+    float _195 = max(-parameters.gJitterPx.x, 0.0);
+    float _197 = 1.0 - abs(parameters.gJitterPx.x);
+    float _198 = max(parameters.gJitterPx.x, 0.0);
+    vec3 _224 = (((((_86 * _195) + (_99 * _197)) + (_112 * _198)) * max(-parameters.gJitterPx.y, 0.0)) + ((((_125 * _195) + (_138 * _197)) + (_151 * _198)) * (1.0 - abs(parameters.gJitterPx.y)))) + ((((_164 * _195) + (_177 * _197)) + (_190 * _198)) * max(parameters.gJitterPx.y, 0.0));
+    vec3 _228 = min(min(min(_125, _151), _138), min(_99, _177));
+    vec3 _232 = max(max(max(_125, _151), _138), max(_99, _177));
+    vec3 _242 = (_228 + min(_228, min(min(_86, _112), min(_164, _190)))) * 0.5;
+    vec3 _244 = (_232 + max(_232, max(max(_86, _112), max(_164, _190)))) * 0.5;
+    vec4 _248 = textureLod(gHistoryColour, _71, 0.0);
+    float _249 = _248.x;
+    float _252 = _248.y;
+    float _255 = _248.z;
+    vec3 _261 = (_244 + _242) * 0.5;
+    vec3 _265 = min(vec3((_249 > 0.0) ? _249 : 0.0, (_252 > 0.0) ? _252 : 0.0, (_255 > 0.0) ? _255 : 0.0), vec3(65504.0)) - _261;
+    vec3 _268 = max((_244 - _242) * 0.5, vec3(1.0000000116860974230803549289703e-07)) / (abs(_265) + vec3(1.0000000031710768509710513471353e-30));
+    vec3 _290 = min(_224 + (((_261 + (_265 * min(min(_268.x, 1.0), min(_268.y, _268.z)))) - _224) * (all(lessThanEqual(abs(gl_FragCoord.xy * parameters.gOutputSize.zw + vec2(-0.5)), vec2(0.5))) ? (parameters.gFeedbackMax * parameters.gHistoryValid) : 0.0)), vec3(65504.0));
+    float _291 = length(vec2(0.0));
+    vec2 _301 = gl_FragCoord.xy * parameters.gOutputSize.zw + (parameters.gJitterPx * parameters.gOutputSize.zw);
+    vec4 _305 = textureLod(gInColourFiltered, _301, 0.0);
+    float _306 = _305.x;
+    float _309 = _305.y;
+    float _312 = _305.z;
+    vec4 _318 = textureLod(gInColourFiltered, _301, 0.0);
+    float _319 = _318.x;
+    float _322 = _318.y;
+    float _325 = _318.z;
+    vec4 _332 = textureLod(gInColourFiltered, _301, 0.0);
+    float _333 = _332.x;
+    float _336 = _332.y;
+    float _339 = _332.z;
+    vec4 _346 = textureLod(gInColourFiltered, _301, 0.0);
+    float _347 = _346.x;
+    float _350 = _346.y;
+    float _353 = _346.z;
+    vec4 _360 = textureLod(gInColourFiltered, _301, 0.0);
+    float _361 = _360.x;
+    float _364 = _360.y;
+    float _367 = _360.z;
+    vec4 _374 = textureLod(gInColourFiltered, _301, 0.0);
+    float _375 = _374.x;
+    float _378 = _374.y;
+    float _381 = _374.z;
+    vec4 _388 = textureLod(gInColourFiltered, _301, 0.0);
+    float _389 = _388.x;
+    float _392 = _388.y;
+    float _395 = _388.z;
+    vec3 _400 = (((((min(vec3((_306 > 0.0) ? _306 : 0.0, (_309 > 0.0) ? _309 : 0.0, (_312 > 0.0) ? _312 : 0.0), vec3(65504.0)) + min(vec3((_319 > 0.0) ? _319 : 0.0, (_322 > 0.0) ? _322 : 0.0, (_325 > 0.0) ? _325 : 0.0), vec3(65504.0))) + min(vec3((_333 > 0.0) ? _333 : 0.0, (_336 > 0.0) ? _336 : 0.0, (_339 > 0.0) ? _339 : 0.0), vec3(65504.0))) + min(vec3((_347 > 0.0) ? _347 : 0.0, (_350 > 0.0) ? _350 : 0.0, (_353 > 0.0) ? _353 : 0.0), vec3(65504.0))) + min(vec3((_361 > 0.0) ? _361 : 0.0, (_364 > 0.0) ? _364 : 0.0, (_367 > 0.0) ? _367 : 0.0), vec3(65504.0))) + min(vec3((_375 > 0.0) ? _375 : 0.0, (_378 > 0.0) ? _378 : 0.0, (_381 > 0.0) ? _381 : 0.0), vec3(65504.0))) + min(vec3((_389 > 0.0) ? _389 : 0.0, (_392 > 0.0) ? _392 : 0.0, (_395 > 0.0) ? _395 : 0.0), vec3(65504.0));
+    vec3 _403 = mix(_400 * vec3(0.14285714924335479736328125), _290, vec3(clamp((parameters.gBlurToPx - _291) / (parameters.gBlurToPx - parameters.gBlurFromPx), 0.0, 1.0)));
+    gOutHistory = vec4(_290, 1.0);
+    gOutColour = vec4(_403, 1.0);
+}
+
