@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lit colour of the scene, and with GBUFFER what temporal passes read beside it.
+// Switches: SKINNED, TEXTURED, ALPHA_TEST (needs TEXTURED), GBUFFER, POINT_LIGHTS (their number).
+#include "scene_common.hlsli"
+
+[[vk::binding(4, 0)]] Texture2D gShadows;
+[[vk::binding(5, 0)]] SamplerComparisonState gShadows_sampler;
+
+static const float DIELECTRIC_REFLECTANCE = 0.04;
+// The sun is half a degree wide; a sharper lobe than this would show a highlight that is smaller than it.
+static const float MIN_ROUGHNESS = 0.18;
+static const float OFF_SCREEN = 4.0;   // motion of what was behind the previous camera, in UV
+
+struct Varyings {
+    float4 positionPx : SV_Position;
+    [[vk::location(0)]] float3 positionWS : TEXCOORD0;
+    [[vk::location(1)]] float3 normalWS : TEXCOORD1;
+    [[vk::location(2)]] float2 uv : TEXCOORD2;
+    [[vk::location(3)]] nointerpolation uint instance : TEXCOORD3;
+#if GBUFFER
+    [[vk::location(4)]] float3 prevClip : TEXCOORD4;   // x, y, w
+#endif
+};
+
+Varyings mainVertex(VertexInput input) {
+    InstanceData instance = gInstances[input.instance];
+    float4 position = float4(input.position, 1.0);
+    float4 prevPosition = position;
+    float3 normal = input.normal;
+#if SKINNED
+    uint firstJoint = instance.identity.y;
+    float4x4 skin = skinMatrix(firstJoint, input.joints, input.weights);
+    position = mul(position, skin);
+    normal = mul(normal, (float3x3)skin);
+    prevPosition = mul(prevPosition, prevSkinMatrix(firstJoint, input.joints, input.weights));
+#endif
+    Varyings output;
+    output.positionWS = mul(position, instance.objectToWorld).xyz;
+    output.normalWS = instance.normalToWorld[0].xyz * normal.x + instance.normalToWorld[1].xyz * normal.y +
+                      instance.normalToWorld[2].xyz * normal.z;
+    output.uv = input.uv;
+    output.instance = input.instance;
+    output.positionPx = mul(position, instance.objectToClip);
+    output.positionPx.xy += gRender.jitterNdc * output.positionPx.w;
+#if GBUFFER
+    output.prevClip = mul(prevPosition, instance.prevObjectToClip).xyw;
+#endif
+    return output;
+}
+
+// One hardware comparison with linear filtering is a 2×2 percentage-closer filter.
+float sunVisibility(float3 positionWS, float3 normalWS) {
+    float linearDepth = dot(positionWS - gCameraWS.xyz, gForwardWS.xyz);
+    uint cascade = linearDepth > gCascadeFar.x ? (linearDepth > gCascadeFar.y ? 2 : 1) : 0;
+    // Offset along the normal by more than a texel, so that a surface does not shadow itself.
+    float3 receiver = positionWS + normalWS * gCascadeTexel[cascade] * 1.8;
+    float3 light = mul(float4(receiver, 1.0), gWorldToLightClip[cascade]).xyz;
+    float2 uv = float2((light.x * 0.5 + 0.5 + float(cascade)) / 3.0, 0.5 - light.y * 0.5);
+    float lit = gShadows.SampleCmpLevelZero(gShadows_sampler, uv, light.z);
+    return linearDepth > gCascadeFar.z ? 1.0 : lit;
+}
+
+// GGX with the height-correlated visibility term in its common approximation by Hammon.
+float3 reflected(float3 albedo, float3 normal, float3 view, float3 light, float roughness) {
+    float3 halfway = normalize(view + light);
+    float nl = saturate(dot(normal, light)), nv = abs(dot(normal, view)) + 1e-4;
+    float nh = saturate(dot(normal, halfway)), vh = saturate(dot(view, halfway));
+    float a = roughness * roughness, a2 = a * a;
+    float spread = nh * nh * (a2 - 1.0) + 1.0;
+    float distribution = a2 / (PI * spread * spread);
+    float visibility = 0.5 / lerp(2.0 * nl * nv, nl + nv, a);
+    float fresnel = DIELECTRIC_REFLECTANCE + (1.0 - DIELECTRIC_REFLECTANCE) * pow(1.0 - vh, 5.0);
+    // Radiance is given for a white diffuse surface: irradiance over pi.
+    return (albedo + PI * distribution * visibility * fresnel) * nl;
+}
+
+float3 ambient(float3 albedo, float3 normal, float3 view, float roughness) {
+    float3 hemisphere = lerp(gGroundRadiance.rgb, gSkyRadiance.rgb, normal.y * 0.5 + 0.5);
+    float fresnel = DIELECTRIC_REFLECTANCE + (1.0 - DIELECTRIC_REFLECTANCE) * pow(1.0 - saturate(dot(normal, view)), 5.0);
+    float smoothness = (1.0 - roughness) * (1.0 - roughness);
+    return albedo * hemisphere + skyColour(reflect(-view, normal)) * fresnel * smoothness;
+}
+
+float3 shade(float3 albedo, float3 emission, float roughness, float3 position, float3 normal) {
+    float3 view = normalize(gCameraWS.xyz - position);
+    roughness = max(roughness, MIN_ROUGHNESS);
+    float3 colour = emission + ambient(albedo, normal, view, roughness);
+    colour += gSunRadiance.rgb * sunVisibility(position, normal) *
+              reflected(albedo, normal, view, gSunDirection.xyz, roughness);
+#if POINT_LIGHTS
+    [unroll] for (uint i = 0; i < POINT_LIGHTS; ++i) {
+        float3 toLight = gLightPosition[i].xyz - position;
+        float squared = dot(toLight, toLight) + 0.01;
+        colour += gLightIntensity[i].rgb / squared *
+                  reflected(albedo, normal, view, toLight * rsqrt(squared), roughness);
+    }
+#endif
+    return min(colour, 60000.0);   // within binary16
+}
+
+#if GBUFFER
+struct Targets {
+    float4 colour : SV_Target0;
+    float depth : SV_Target1;
+    float4 normal : SV_Target2;
+    float2 motion : SV_Target3;
+    uint2 ids : SV_Target4;
+};
+
+float2 motionUv(float2 positionPx, float3 prevClip) {
+    float2 currUv = (positionPx - gRender.jitterPx) * gSize.zw;
+    float2 prevNdc = prevClip.xy / max(prevClip.z, 1e-6);
+    float2 prevUv = float2(prevNdc.x * 0.5 + 0.5, 0.5 - prevNdc.y * 0.5);
+    return prevClip.z > 1e-6 ? clamp(currUv - prevUv, -OFF_SCREEN, OFF_SCREEN) : OFF_SCREEN;
+}
+#else
+struct Targets {
+    float4 colour : SV_Target0;
+};
+#endif
+
+Targets mainFragment(Varyings input, bool front : SV_IsFrontFace
+#if GBUFFER
+                     , uint primitive : SV_PrimitiveID
+#endif
+) {
+    InstanceData instance = gInstances[input.instance];
+    float4 base = instance.baseColour;
+#if TEXTURED
+    base *= gAlbedo.SampleBias(gAlbedo_sampler, input.uv, gRender.lodBias);
+#endif
+#if ALPHA_TEST
+    if (base.a < instance.alphaCutoff.x) discard;
+#endif
+    float3 normal = normalize(input.normalWS);
+    // Back faces are drawn only where a material has two sides: light them from behind their normal too.
+    normal = instance.alphaCutoff.y > 0.0 && dot(normal, input.positionWS - gCameraWS.xyz) > 0.0 ? -normal : normal;
+    Targets output;
+    output.colour = float4(shade(base.rgb, instance.emission.rgb, instance.emission.a, input.positionWS, normal), 1.0);
+#if GBUFFER
+    output.depth = input.positionPx.z;
+    output.normal = float4(normal, 0.0);
+    output.motion = motionUv(input.positionPx.xy, input.prevClip);
+    output.ids = uint2(instance.identity.x, primitive + 1);
+#endif
+    return output;
+}
