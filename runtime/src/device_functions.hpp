@@ -22,6 +22,7 @@
     X(CmdBindIndexBuffer)                                                                                    \
     X(CmdBindPipeline)                                                                                       \
     X(CmdBindVertexBuffers)                                                                                  \
+    X(CmdClearColorImage)                                                                                    \
     X(CmdDispatch)                                                                                           \
     X(CmdDraw)                                                                                               \
     X(CmdDrawIndexed)                                                                                        \

@@ -16,12 +16,15 @@ VkPipelineVertexInputStateCreateInfo vertexInput(const GraphicsDescription& desc
     return info;
 }
 
-VkPipelineRasterizationStateCreateInfo rasterization() {
+VkPipelineRasterizationStateCreateInfo rasterization(const GraphicsDescription& description) {
     auto info = structure<VkPipelineRasterizationStateCreateInfo>(
         VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO);
     info.polygonMode = VK_POLYGON_MODE_FILL;
     info.cullMode = VK_CULL_MODE_NONE;
     info.lineWidth = 1.0f;
+    info.depthBiasEnable = description.depthBias != 0.0f;
+    info.depthBiasConstantFactor = description.depthBias;
+    info.depthBiasSlopeFactor = description.depthBiasSlope;
     return info;
 }
 
@@ -51,7 +54,7 @@ Result<Unique<VkPipeline>> finish(const Device& device, VkResult result, VkPipel
 Result<Unique<VkPipeline>> makeGraphicsPipeline(const Device& device, const GraphicsDescription& description,
                                                 std::string_view pass) {
     const auto vertices = vertexInput(description);
-    const auto raster = rasterization();
+    const auto raster = rasterization(description);
     const auto depth = depthTest(description);
     auto assembly = structure<VkPipelineInputAssemblyStateCreateInfo>(
         VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);

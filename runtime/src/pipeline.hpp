@@ -12,6 +12,7 @@ struct GraphicsDescription {
     std::span<const VkFormat> colourFormats;
     VkFormat depthFormat = VK_FORMAT_UNDEFINED; // undefined: no depth test
     VkCompareOp depthCompare = VK_COMPARE_OP_ALWAYS;
+    float depthBias = 0.0f, depthBiasSlope = 0.0f;
     std::span<const VkVertexInputBindingDescription> vertexBindings;
     std::span<const VkVertexInputAttributeDescription> vertexAttributes;
 };

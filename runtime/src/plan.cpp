@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "guarded.hpp"
+#include "plan_images.hpp"
 #include "plan_switches.hpp"
 #include "reprise/format.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace reprise {
 namespace {
-
-constexpr std::string_view temporalPass = "temporal_aa", velocityImage = "gOutVelocity";
-constexpr std::string_view inPrefix = "gIn", outPrefix = "gOut";
-
-// gInVelocity is what gOutVelocity wrote.
-std::string writtenName(std::string_view input) {
-    return std::string(outPrefix) + std::string(input.substr(inPrefix.size()));
-}
-
-bool isHistory(const ImageInfo& input) {
-    return !input.history.empty();
-}
-bool isImage(const ImageInfo& info) {
-    return !info.format.empty();
-} // else a buffer
 
 // A pass that may take part, and why not, if so.
 struct Candidate {
@@ -48,7 +33,9 @@ Stage stageOf(const PassInfo& pass, Stage wanted) {
 
 void addCandidate(std::vector<Candidate>& candidates, const Variant& variant, Stage stage,
                   std::string_view veto) {
-    Candidate candidate{{forStage(variant, stage), stage, {}, {}}, veto};
+    // A switch of another stage changes nothing in a full-screen pass; a drawn pass has both stages.
+    Candidate candidate{
+        {variant.pass->fullscreen ? forStage(variant, stage) : variant, stage, {}, {}, {}, {}}, veto};
     for (const ImageInfo& input : variant.pass->inputs)
         if (exists(variant, input)) candidate.pass.reads.emplace_back(input.name);
     for (const ImageInfo& output : variant.pass->outputs)
@@ -116,82 +103,6 @@ void choosePasses(std::vector<Candidate> candidates, FramePlan& plan) {
     }
 }
 
-uint32_t scaled(uint32_t texels, float scale) {
-    return std::max(1u, static_cast<uint32_t>(std::ceil(static_cast<float>(texels) * scale)));
-}
-
-class ImageTable {
-public:
-    ImageTable(FramePlan& plan, const SceneNeeds& needs, const Settings& settings, Extent extent)
-        : plan_(plan), needs_(needs), settings_(settings), extent_(extent) {}
-
-    void addPass(int index) {
-        const PlannedPass& pass = plan_.passes[static_cast<size_t>(index)];
-        for (const ImageInfo& input : pass.variant.pass->inputs)
-            if (exists(pass.variant, input) && isImage(input) && input.sameAs.empty()) addInput(input, index);
-        for (const ImageInfo& output : pass.variant.pass->outputs)
-            if (exists(pass.variant, output)) addOutput(*pass.variant.pass, output, index);
-    }
-
-private:
-    PlannedImage* find(std::string_view name) {
-        const auto found = std::ranges::find(plan_.images, name, &PlannedImage::name);
-        return found == plan_.images.end() ? nullptr : &*found;
-    }
-
-    PlannedImage& add(const ImageInfo& info, std::string name, std::string_view format, int pass) {
-        PlannedImage image;
-        image.name = std::move(name);
-        image.format = format;
-        image.extent = {scaled(extent_.width, info.scale), scaled(extent_.height, info.scale)};
-        image.firstPass = image.lastPass = pass;
-        image.bytes = uint64_t(texelBytes(format)) * image.extent.width * image.extent.height;
-        return plan_.images.emplace_back(std::move(image));
-    }
-
-    void addInput(const ImageInfo& input, int pass) {
-        if (isHistory(input)) return; // its output is the image
-        if (PlannedImage* written = find(writtenName(input.name))) {
-            written->lastPass = pass;
-            return;
-        }
-        if (PlannedImage* known = find(input.name)) {
-            known->lastPass = pass;
-            return;
-        }
-        // Motion that the engine does not write and no pass was needed for is zero everywhere.
-        const bool zero = writtenName(input.name) == velocityImage && !needs_.engineWritesMotion;
-        PlannedImage& image =
-            add(input, zero ? writtenName(input.name) : std::string(input.name), input.format, pass);
-        image.external = !zero;
-        image.cleared = zero;
-    }
-
-    void addOutput(const PassInfo& pass, const ImageInfo& output, int index) {
-        if (PlannedImage* known = find(output.name)) {
-            known->lastPass = index; // drawn over
-            return;
-        }
-        const bool chosen = pass.name == temporalPass && !settings_.colourFormat.empty();
-        PlannedImage& image =
-            add(output, std::string(output.name), chosen ? settings_.colourFormat : output.format, index);
-        image.cleared = !pass.fullscreen;
-        image.history = std::ranges::any_of(
-            pass.inputs, [&](const ImageInfo& input) { return input.history == output.name; });
-    }
-
-    FramePlan& plan_;
-    const SceneNeeds& needs_;
-    const Settings& settings_;
-    Extent extent_;
-};
-
-// The engine may read motion after the frame is recorded.
-void keepMotion(FramePlan& plan) {
-    for (PlannedImage& image : plan.images)
-        if (image.name == velocityImage) image.lastPass = static_cast<int>(plan.passes.size()) - 1;
-}
-
 Result<void> checkSettings(const Settings& settings, Extent extent) {
     if (extent.width == 0 || extent.height == 0)
         return Error{ErrorCode::zeroExtent, "The extent of the frame is zero; give it a width and a height."};
@@ -206,37 +117,6 @@ Result<void> checkSettings(const Settings& settings, Extent extent) {
 
 } // namespace
 
-void shareMemory(FramePlan& plan) {
-    struct Block {
-        uint64_t bytes;
-        std::vector<const PlannedImage*> images;
-    };
-    std::vector<PlannedImage*> transients;
-    plan.bytes = plan.bytesWithoutAliasing = 0;
-    for (PlannedImage& image : plan.images) {
-        if (image.external) continue;
-        plan.bytesWithoutAliasing += image.bytes * (image.history ? 2 : 1);
-        if (image.history)
-            plan.bytes += 2 * image.bytes;
-        else
-            transients.push_back(&image);
-    }
-    std::ranges::stable_sort(transients, std::greater<>(), &PlannedImage::bytes);
-    std::vector<Block> blocks;
-    for (PlannedImage* image : transients) {
-        const auto meets = [&](const PlannedImage* other) {
-            return image->firstPass <= other->lastPass && other->firstPass <= image->lastPass;
-        };
-        auto block = std::ranges::find_if(
-            blocks, [&](const Block& each) { return std::ranges::none_of(each.images, meets); });
-        if (block == blocks.end()) block = blocks.insert(blocks.end(), {image->bytes, {}});
-        block->images.push_back(image);
-        image->memory = static_cast<int>(block - blocks.begin());
-    }
-    for (const Block& block : blocks)
-        plan.bytes += block.bytes;
-}
-
 Result<FramePlan> plan(std::span<const PassInfo> passes, std::span<const PresetInfo> presets,
                        const SceneNeeds& needs, const Settings& settings, Extent extent) {
     return guarded([&]() -> Result<FramePlan> {
@@ -245,11 +125,7 @@ Result<FramePlan> plan(std::span<const PassInfo> passes, std::span<const PresetI
         auto candidates = candidatesFor(passes, presets, needs, settings, plan.dropped);
         if (!candidates) return candidates.error();
         choosePasses(std::move(*candidates), plan);
-        ImageTable images(plan, needs, settings, extent);
-        for (int pass = 0; pass < static_cast<int>(plan.passes.size()); ++pass)
-            images.addPass(pass);
-        keepMotion(plan);
-        shareMemory(plan);
+        planImages(plan, needs.engineWritesMotion, settings.colourFormat, extent);
         return plan;
     });
 }

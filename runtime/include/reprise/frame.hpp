@@ -39,8 +39,8 @@ struct FrameInput {
 };
 
 struct FrameOutput {
-    ImageRef colour;                    // in SHADER_READ_ONLY_OPTIMAL; valid until the next record()
-    std::optional<ImageRef> motion;
+    ImageRef colour;                    // in SHADER_READ_ONLY_OPTIMAL; valid until the next record(); can be copied from
+    std::optional<ImageRef> motion;     // likewise; none when nothing moves
     bool historyWasReset = false;
     std::string_view resetReason;       // "first frame", "frame gap", "resize", "request" or empty
 };
@@ -52,8 +52,10 @@ public:
         Settings settings;
         Extent extent;
         VkFormat colourFormat = VK_FORMAT_R16G16B16A16_SFLOAT;   // of history and output
+        VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;              // of FrameInput::depthAttachment
         uint32_t framesInFlight = 2;
     };
+    // The table must outlive the recorder; the presets are those of the generated table.
     static Result<FrameRecorder> create(const Device& device, std::span<const PassInfo> passes, const SpirvSource& spirv,
                                         const CreateInfo& info);
     FrameRecorder(FrameRecorder&&) noexcept;
@@ -62,7 +64,8 @@ public:
 
     // New extent: images are made anew and history is reset. The GPU must be idle with the old ones.
     Result<void> resize(Extent extent);
-    // Records every pass of the plan into `commands`. On failure nothing has been recorded and history is unchanged.
+    // Records every pass of the plan into `commands`. The caller has waited until the GPU is done with the call
+    // `framesInFlight` before this one. On failure nothing has been recorded and history is unchanged.
     Result<FrameOutput> record(VkCommandBuffer commands, const FrameInput& input);
 
     const FramePlan& plan() const;

@@ -46,7 +46,8 @@ struct PlannedImage {
 struct PlannedPass {
     Variant variant;
     Stage stage = Stage::compute;
-    std::vector<std::string> reads, writes;
+    std::vector<std::string> reads, writes;      // resource names of the table
+    std::vector<int> readImages, writeImages;    // the same as places in FramePlan::images; -1: a buffer
 };
 
 struct Dropped {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Products of matrices are made in double precision: in single precision a camera far from the origin
+// jitters.
+#include "frame_parameters.hpp"
+
+#include <cstring>
+
+namespace reprise {
+namespace {
+
+template <size_t count> void store(float (&target)[count], const glm::mat4& matrix) {
+    static_assert(sizeof(target) == sizeof(matrix));
+    std::memcpy(target, &matrix, sizeof(matrix));
+}
+
+template <size_t count, class Vector> void store(float (&target)[count], const Vector& vector) {
+    static_assert(count == static_cast<size_t>(Vector::length()));
+    for (size_t i = 0; i < count; ++i)
+        target[i] = static_cast<float>(vector[static_cast<int>(i)]);
+}
+
+glm::dvec4 sizeOf(VkExtent2D extent) {
+    return {extent.width, extent.height, 1.0 / extent.width, 1.0 / extent.height};
+}
+
+} // namespace
+
+CameraVelocityParameters cameraParameters(const FrameInput& input, const CameraFrame& previous,
+                                          VkExtent2D extent, bool linearDepth) {
+    CameraVelocityParameters parameters{};
+    const auto toPrevious =
+        linearDepth ? viewToPreviousClip(input.camera, previous) : reprojection(input.camera, previous);
+    store(parameters.gReprojection, glm::mat4(toPrevious));
+    store(parameters.gViewRay, viewRay(input.camera.viewToClip));
+    store(parameters.gOutputSize, sizeOf(extent));
+    store(parameters.gJitterUv, input.jitterPx / glm::dvec2(extent.width, extent.height));
+    return parameters;
+}
+
+ObjectVelocityParameters objectParameters(const ObjectDraw& object, const FrameInput& input,
+                                          const CameraFrame& previous, VkExtent2D extent) {
+    ObjectVelocityParameters parameters{};
+    const auto toClip = [](const CameraFrame& camera, const glm::mat4& toWorld) {
+        return glm::mat4(camera.viewToClip * camera.worldToView * glm::dmat4(toWorld));
+    };
+    store(parameters.gObjectToClip, toClip(input.camera, object.objectToWorld));
+    store(parameters.gPrevObjectToClip, toClip(previous, object.prevObjectToWorld));
+    store(parameters.gJitterNdc, input.jitterPx * glm::dvec2(2.0 / extent.width, -2.0 / extent.height));
+    return parameters;
+}
+
+TemporalAaParameters temporalParameters(const FrameInput& input, VkExtent2D extent, bool historyValid,
+                                        bool engineMotion) {
+    const TaaTuning& tuning = input.tuning;
+    TemporalAaParameters parameters{};
+    store(parameters.gOutputSize, sizeOf(extent));
+    store(parameters.gJitterPx, input.jitterPx);
+    store(parameters.gMotionToUv, engineMotion ? tuning.motionToUv : glm::vec2(1.0f));
+    parameters.gHistoryValid = historyValid ? 1.0f : 0.0f;
+    parameters.gFeedbackMin = tuning.feedbackMin;
+    parameters.gFeedbackMax = tuning.feedbackMax;
+    parameters.gBlurFromPx = tuning.blurFromPx;
+    parameters.gBlurToPx = tuning.blurToPx;
+    return parameters;
+}
+
+} // namespace reprise

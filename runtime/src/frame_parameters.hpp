@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The uniform buffers of the passes, from a frame's input.
+#pragma once
+
+#include "reprise/frame.hpp"
+#include "reprise/pack_table.hpp"
+
+namespace reprise {
+
+CameraVelocityParameters cameraParameters(const FrameInput& input, const CameraFrame& previous,
+                                          VkExtent2D extent, bool linearDepth);
+ObjectVelocityParameters objectParameters(const ObjectDraw& object, const FrameInput& input,
+                                          const CameraFrame& previous, VkExtent2D extent);
+// tuning.motionToUv is for the engine's own motion; that of the velocity passes is in UV.
+TemporalAaParameters temporalParameters(const FrameInput& input, VkExtent2D extent, bool historyValid,
+                                        bool engineMotion);
+
+} // namespace reprise
