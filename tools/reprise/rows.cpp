@@ -38,7 +38,7 @@ void addFlips(const Variant& base, std::string_view name, Stage stage, std::vect
         for (size_t value = 0; value < info.values.size(); ++value) {
             if (value == base.values[s]) continue;
             RowSpec row;
-            row.label = fmt::format("{} + {} {}", name, lower(info.name), info.values[value]);
+            row.label = fmt::format("{} + {}", name, switchText(info, static_cast<uint8_t>(value)));
             row.variant = base;
             row.variant->values[s] = static_cast<uint8_t>(value);
             rows.push_back(std::move(row));
@@ -60,6 +60,10 @@ std::string jitterName(JitterSequence sequence) {
         return "halton16";
     }
     return "";
+}
+
+std::string switchText(const reprise::SwitchInfo& info, uint8_t value) {
+    return fmt::format("{} {}", lower(info.name), info.values[value]);
 }
 
 bool describesInput(const reprise::SwitchInfo& info) {

@@ -20,6 +20,7 @@ struct RowSpec {
 };
 
 std::string jitterName(reprise::JitterSequence sequence);
+std::string switchText(const reprise::SwitchInfo& info, uint8_t value); // "constraint clamp"
 // Switches that say what the engine's data is, not what to do with it: a report has one kind of data.
 bool describesInput(const reprise::SwitchInfo& info);
 

@@ -2,17 +2,44 @@
 #include "shaders.hpp"
 #include "parallel.hpp"
 
+#include <fstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace report {
 namespace fs = std::filesystem;
+using reprise::Stage;
+
 namespace {
 
 template <class T> T orThrow(reprise::Result<T> result) {
     if (!result) throw std::runtime_error(result.error().message);
     return std::move(*result);
+}
+
+reprise::BindingKind kindNamed(const std::string& name) {
+    using Kind = reprise::BindingKind;
+    static const std::map<std::string, Kind> kinds{
+        {"sampledImage", Kind::sampledImage},   {"pointSampler", Kind::pointSampler},
+        {"linearSampler", Kind::linearSampler}, {"storageImage", Kind::storageImage},
+        {"uniformBuffer", Kind::uniformBuffer}, {"storageBuffer", Kind::storageBuffer}};
+    return kinds.at(name);
+}
+
+reprisec::Reflection reflectionOf(const nlohmann::json& json) {
+    reprisec::Reflection reflection;
+    for (const auto& b : json.at("bindings"))
+        reflection.bindings.push_back({b.at("name"), b.at("binding"), kindNamed(b.at("kind")),
+                                       b.at("samples"), b.at("gathers"), b.at("fetches"), b.at("stores")});
+    if (const auto& parameters = json.at("parameters"); !parameters.is_null()) {
+        reflection.parameterBytes = parameters.at("bytes");
+        for (const auto& m : parameters.at("members"))
+            reflection.parameters.push_back({m.at("name"), m.at("type"), m.at("offset"), m.at("bytes")});
+    }
+    reflection.colourOutputs = json.value("colourOutputs", 0u);
+    return reflection;
 }
 
 } // namespace
@@ -29,11 +56,28 @@ Assets findAssets() {
                     (beside / "hlsl").string()));
 }
 
-Shaders::Shaders(const Assets& assets)
-    : pack_(orThrow(reprisec::Pack::load(assets.packToml))),
-      committed_(reprise::spirvFromDirectory((assets.generated / "spirv").string())) {}
+std::optional<reprisec::Compiled> readCommitted(const fs::path& generated, const reprise::Variant& variant,
+                                                Stage stage) {
+    auto spirv = reprise::spirvFromDirectory(generated.string())(variant, stage);
+    const std::string name = reprise::spirvFileName(variant, stage);
+    const fs::path file = generated / variant.pass->name / (name.substr(0, name.size() - 4) + ".json");
+    std::ifstream stream(file);
+    if (!spirv || !stream) return {};
+    const auto json = nlohmann::json::parse(stream, nullptr, false);
+    if (json.is_discarded())
+        throw std::runtime_error(fmt::format("{} is no JSON; make it anew", file.string()));
+    reprisec::Compiled compiled;
+    compiled.spirv = std::move(*spirv);
+    compiled.reflection = reflectionOf(json);
+    return compiled;
+}
 
-reprisec::Compiled Shaders::compileOne(const reprise::Variant& variant, reprise::Stage stage) const {
+Shaders::Shaders(const Assets& assets, bool fresh)
+    : pack_(orThrow(reprisec::Pack::load(assets.packToml))), generated_(assets.generated), fresh_(fresh) {}
+
+reprisec::Compiled Shaders::make(const reprise::Variant& variant, Stage stage) const {
+    if (!fresh_)
+        if (auto committed = readCommitted(generated_, variant, stage)) return std::move(*committed);
     return orThrow(reprisec::compile(pack_, variant, stage, {.glsl = false, .platformSwitches = {}}));
 }
 
@@ -46,27 +90,25 @@ void Shaders::prepare(std::span<const Request> requests) {
     std::vector<std::pair<std::string, Request>> work(missing.begin(), missing.end());
     std::vector<reprisec::Compiled> results(work.size());
     parallelFor(work.size(),
-                [&](size_t i) { results[i] = compileOne(work[i].second.first, work[i].second.second); });
+                [&](size_t i) { results[i] = make(work[i].second.first, work[i].second.second); });
     for (size_t i = 0; i < work.size(); ++i)
         compiled_.emplace(work[i].first, std::move(results[i]));
 }
 
-const reprisec::Compiled& Shaders::get(const reprise::Variant& variant, reprise::Stage stage) {
+const reprisec::Compiled& Shaders::get(const reprise::Variant& variant, Stage stage) {
     const std::string name = reprise::spirvFileName(variant, stage);
     auto found = compiled_.find(name);
-    if (found == compiled_.end()) found = compiled_.emplace(name, compileOne(variant, stage)).first;
+    if (found == compiled_.end()) found = compiled_.emplace(name, make(variant, stage)).first;
     return found->second;
 }
 
 const std::vector<uint32_t>& Shaders::fullscreenVertex() {
     const auto variant = orThrow(reprise::makeVariant(pack_.passes(), "fullscreen"));
-    return get(variant, reprise::Stage::vertex).spirv;
+    return get(variant, Stage::vertex).spirv;
 }
 
 reprise::SpirvSource Shaders::source() {
-    return [this](const reprise::Variant& variant,
-                  reprise::Stage stage) -> reprise::Result<std::vector<uint32_t>> {
-        if (auto found = committed_(variant, stage)) return found;
+    return [this](const reprise::Variant& variant, Stage stage) -> reprise::Result<std::vector<uint32_t>> {
         try {
             return get(variant, stage).spirv;
         } catch (const std::exception& failure) {
@@ -75,8 +117,8 @@ reprise::SpirvSource Shaders::source() {
     };
 }
 
-reprisec::Compiled compileText(const std::string& name, const std::string& text, reprise::Stage stage) {
-    const char* entry = stage == reprise::Stage::compute ? "mainCompute" : "mainFragment";
+reprisec::Compiled compileText(const std::string& name, const std::string& text, Stage stage) {
+    const char* entry = stage == Stage::compute ? "mainCompute" : "mainFragment";
     return orThrow(reprisec::compileSource({.name = name,
                                             .text = text,
                                             .entry = entry,

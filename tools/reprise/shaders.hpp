@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -21,8 +22,8 @@ Assets findAssets(); // throws a sentence when there is no pack
 
 class Shaders {
 public:
-    explicit Shaders(const Assets& assets); // throws a sentence with file and line when the table is wrong
-
+    // Throws a sentence with file and line when the table is wrong. fresh: committed modules are not used.
+    explicit Shaders(const Assets& assets, bool fresh = false);
     using Request = std::pair<reprise::Variant, reprise::Stage>;
     // Compiles what is missing, on all cores.
     void prepare(std::span<const Request> requests);
@@ -32,13 +33,17 @@ public:
     const reprisec::Pack& pack() const { return pack_; }
 
 private:
-    reprisec::Compiled compileOne(const reprise::Variant& variant, reprise::Stage stage) const;
+    reprisec::Compiled make(const reprise::Variant& variant, reprise::Stage stage) const;
 
     reprisec::Pack pack_;
-    reprise::SpirvSource committed_;
+    std::filesystem::path generated_;
+    bool fresh_;
     std::map<std::string, reprisec::Compiled> compiled_; // by file name
 };
 
+// SPIR-V and reflection of a committed module; nothing when it is not there.
+std::optional<reprisec::Compiled> readCommitted(const std::filesystem::path& generated,
+                                                const reprise::Variant& variant, reprise::Stage stage);
 // Any HLSL text; throws what the compiler says.
 reprisec::Compiled compileText(const std::string& name, const std::string& text, reprise::Stage stage);
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program's commands. Each throws std::exception with one sentence; main() prints it and ends with 1.
+#pragma once
+
+#include "experiment.hpp"
+#include "floors.hpp"
+
+#include "reprise/plan.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace report {
+
+struct ReportOptions {
+    bool quick = false, timingOnly = false, fresh = false;
+    std::vector<std::string> scenes; // names of built-in ones, or files
+    std::string technique;           // empty: all
+    std::string size;                // "1280x720", empty: the defaults
+    int frames = 0;                  // 0: the default
+    std::string stage = "both";
+    std::string device;
+    std::vector<std::string> flips{"inside"};
+    std::filesystem::path out = "report";
+};
+
+struct PlanOptions {
+    reprise::SceneNeeds needs;
+    std::string stage = "compute", preset = "best", size = "1920x1080";
+};
+
+struct RenderOptions {
+    std::string scene, size = "640x360", device;
+    int frame = 0;
+    bool truth = false;
+    std::filesystem::path out;
+};
+
+void reportCommand(const ReportOptions& options);
+void listCommand();
+void planCommand(const PlanOptions& options);
+void renderCommand(const RenderOptions& options);
+
+// "1280x720"; throws a sentence on anything else and on sizes that no device has.
+Size parseSize(const std::string& text);
+std::vector<reprise::Stage> parseStages(const std::string& text);
+// A built-in scene's name, or a file.
+scenes::Scene findScene(const std::string& nameOrFile);
+reprise::FramePlan makeFramePlan(Shaders& shaders, const reprise::SceneNeeds& needs,
+                                 const reprise::Settings& settings,
+                                 Size size); // throws the runtime's sentence
+// "0: llvmpipe ..., cpu"
+std::vector<std::string> deviceLines();
+Plan makePlan(const ReportOptions& options, const reprisec::Pack& pack);
+
+} // namespace report

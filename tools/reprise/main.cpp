@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// reprise: measures the pack, shows what is in it and what a scene needs of it.
+#include "commands.hpp"
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+using namespace report;
+
+void addReport(CLI::App& app, ReportOptions& o, std::function<void()>& run) {
+    CLI::App* command = app.add_subcommand("report", "Measure error against run time and write a page");
+    command->add_flag("--quick", o.quick, "320x180, 16 frames, 9 rounds of timing: minutes on two cores");
+    command->add_option("--scene", o.scenes, "A built-in scene's name or a glTF, GLB or OBJ file; repeatable")
+        ->allow_extra_args(false);
+    command->add_option("--technique", o.technique, "One pass of the table (default: all)");
+    command->add_option("--size", o.size, "WIDTHxHEIGHT of error and time (default: 640x360 and 1280x720)");
+    command->add_option("--frames", o.frames, "Frames of a sequence (default: 32, quick 16)")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--stage", o.stage, "fragment, compute or both")->capture_default_str();
+    command->add_option("--device", o.device, "Part of a device's name, or its index");
+    command->add_option("--out", o.out, "Directory of the report")->capture_default_str();
+    command->add_option("--flips", o.flips, "Presets whose switches are flipped one by one")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->capture_default_str();
+    command->add_flag("--timing-only", o.timingOnly, "Times without errors, for large sizes");
+    command->add_flag("--fresh", o.fresh, "Compile every variant from its HLSL, whatever generated/ holds");
+    command->callback([&] { run = [&o] { reportCommand(o); }; });
+}
+
+void addPlan(CLI::App& app, PlanOptions& o, std::function<void()>& run) {
+    CLI::App* command =
+        app.add_subcommand("plan", "Print what a scene needs: passes, images, reads, and what is left out");
+    reprise::SceneNeeds& n = o.needs;
+    command->add_flag("!--no-anti-aliasing", n.antiAliasing, "No temporal anti-aliasing");
+    command->add_flag("!--static-camera", n.cameraMoves, "The camera never moves");
+    command->add_flag("!--static-objects", n.objectsMove, "No object moves");
+    command->add_flag("--skinned-meshes", n.skinnedMeshes, "Skinned meshes move");
+    command->add_flag("--engine-motion", n.engineWritesMotion, "The engine writes motion vectors itself");
+    command->add_flag("!--no-hdr", n.hdr, "No colour exceeds display white");
+    command->add_flag("--fast-motion", n.fastMotion, "The motion blur fallback is wanted");
+    command->add_flag("--reversed-depth", n.reversedDepth, "Device depth is reversed");
+    command->add_flag("--orthographic", n.orthographic, "The camera is orthographic");
+    command->add_flag("--linear-depth", n.linearDepth, "Depth is linear, in metres");
+    command->add_option("--stage", o.stage, "fragment or compute")->capture_default_str();
+    command->add_option("--preset", o.preset, "Preset of temporal_aa")->capture_default_str();
+    command->add_option("--size", o.size, "WIDTHxHEIGHT")->capture_default_str();
+    command->callback([&] { run = [&o] { planCommand(o); }; });
+}
+
+void addRender(CLI::App& app, RenderOptions& o, std::function<void()>& run) {
+    CLI::App* command = app.add_subcommand("render", "Write one frame of a scene as PNG");
+    command->add_option("--scene", o.scene, "A built-in scene's name or a file")->required();
+    command->add_option("--frame", o.frame, "Index of the frame")->capture_default_str();
+    command->add_option("--size", o.size, "WIDTHxHEIGHT")->capture_default_str();
+    command->add_option("--device", o.device, "Part of a device's name, or its index");
+    command->add_option("--out", o.out, "The PNG file")->required();
+    command->add_flag("--truth", o.truth, "64 samples per pixel instead of one");
+    command->callback([&] { run = [&o] { renderCommand(o); }; });
+}
+
+std::string oneLine(std::string text) {
+    for (char& c : text)
+        c = c == '\n' ? ' ' : c;
+    while (!text.empty() && text.back() == ' ')
+        text.pop_back();
+    return text;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Temporal coherence as a shader pack: error against run time");
+    app.require_subcommand(1);
+    std::function<void()> run;
+    ReportOptions report;
+    PlanOptions plan;
+    RenderOptions render;
+    addReport(app, report, run);
+    app.add_subcommand("list", "Print passes, switches, scenes and devices")->callback([&] {
+        run = listCommand;
+    });
+    addPlan(app, plan, run);
+    addRender(app, render, run);
+    try {
+        app.parse(argc, argv);
+        run();
+    } catch (const CLI::CallForHelp& help) {
+        return app.exit(help);
+    } catch (const std::exception& failure) {
+        fmt::print(stderr, "reprise: {}\n", oneLine(failure.what()));
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace report {
+namespace {
+
+using reprise::Stage;
+
+double mebibytes(uint64_t bytes) {
+    return static_cast<double>(bytes) / 1048576.0;
+}
+
+void printSwitch(const reprise::SwitchInfo& info) {
+    fmt::print("    {:<21}", info.name);
+    for (size_t i = 0; i < info.values.size(); ++i)
+        fmt::print(" {}{}", info.values[i], i == info.defaultValue ? "*" : "");
+    fmt::print("\n");
+}
+
+void printPass(const reprisec::Pack& pack, const reprise::PassInfo& pass) {
+    fmt::print("  {}: {}\n", pass.name, pass.summary);
+    for (const auto& info : pass.switches)
+        printSwitch(info);
+    for (const auto& preset : pack.presets(pass.name))
+        fmt::print("    preset {}: {}\n", preset.name, preset.summary);
+    fmt::print("    {} variants are committed; others are compiled on demand\n",
+               pack.committedVariants(pass).size());
+}
+
+// The stages in which a planned pass is compiled: a pass with geometry of its own has two.
+std::vector<Stage> stagesOf(const reprise::PlannedPass& planned) {
+    if (planned.variant.pass->fullscreen) return {planned.stage};
+    return {Stage::vertex, Stage::fragment};
+}
+
+struct Cost {
+    uint64_t spirvBytes = 0;
+    double reads = 0.0;
+};
+
+Cost costOf(Shaders& shaders, const reprise::FramePlan& plan) {
+    Cost cost;
+    for (const auto& planned : plan.passes)
+        for (Stage stage : stagesOf(planned)) {
+            const auto& compiled = shaders.get(planned.variant, stage);
+            cost.spirvBytes += compiled.spirv.size() * sizeof(uint32_t);
+            cost.reads += readsPerPixel(planned.variant, stage, compiled.reflection);
+        }
+    return cost;
+}
+
+reprise::FramePlan planFor(Shaders& shaders, const reprise::SceneNeeds& needs, const PlanOptions& options) {
+    const Size size = parseSize(options.size);
+    const auto stages = parseStages(options.stage);
+    if (stages.size() != 1)
+        throw std::runtime_error("--stage must be fragment or compute here: a plan has one");
+    reprise::Settings settings;
+    settings.stage = stages.front();
+    settings.preset = options.preset;
+    return makeFramePlan(shaders, needs, settings, size);
+}
+
+void printPlan(const reprise::FramePlan& plan) {
+    for (const auto& pass : plan.passes)
+        fmt::print("  {}\n", reprise::variantName(pass.variant));
+    for (const auto& image : plan.images)
+        fmt::print("    {:<16} {:<8} {}x{}  {:.2f} MiB{}{}\n", image.name, image.format, image.extent.width,
+                   image.extent.height, mebibytes(image.bytes), image.history ? ", history" : "",
+                   image.external ? ", the engine's" : "");
+    for (const auto& dropped : plan.dropped)
+        fmt::print("  without {}: {}\n", dropped.pass, dropped.reason);
+}
+
+void printCosts(const reprise::FramePlan& all, const Cost& allCost, const reprise::FramePlan& scene,
+                const Cost& sceneCost) {
+    fmt::print("{:<28} {:>14} {:>14}\n", "", "everything on", "this scene");
+    fmt::print("{:<28} {:>14} {:>14}\n", "passes", all.passes.size(), scene.passes.size());
+    fmt::print("{:<28} {:>14.2f} {:>14.2f}\n", "images, MiB", mebibytes(all.bytes), mebibytes(scene.bytes));
+    fmt::print("{:<28} {:>14.2f} {:>14.2f}\n", "images unaliased, MiB", mebibytes(all.bytesWithoutAliasing),
+               mebibytes(scene.bytesWithoutAliasing));
+    fmt::print("{:<28} {:>14} {:>14}\n", "SPIR-V, bytes", allCost.spirvBytes, sceneCost.spirvBytes);
+    fmt::print("{:<28} {:>14.2f} {:>14.2f}\n", "texture reads per pixel", allCost.reads, sceneCost.reads);
+}
+
+struct Instance {
+    VkInstance handle = VK_NULL_HANDLE;
+    Instance() {
+        VkApplicationInfo application{};
+        application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+        application.apiVersion = VK_API_VERSION_1_3;
+        VkInstanceCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+        info.pApplicationInfo = &application;
+        if (vkCreateInstance(&info, nullptr, &handle) != VK_SUCCESS) handle = VK_NULL_HANDLE;
+    }
+    ~Instance() {
+        if (handle) vkDestroyInstance(handle, nullptr);
+    }
+    Instance(const Instance&) = delete;
+    Instance& operator=(const Instance&) = delete;
+};
+
+reprise::SceneNeeds everything() {
+    reprise::SceneNeeds needs;
+    needs.skinnedMeshes = needs.fastMotion = true;
+    return needs;
+}
+
+} // namespace
+
+reprise::FramePlan makeFramePlan(Shaders& shaders, const reprise::SceneNeeds& needs,
+                                 const reprise::Settings& settings, Size size) {
+    auto plan = reprise::plan(shaders.pack().passes(), shaders.pack().presets("temporal_aa"), needs, settings,
+                              {size.width, size.height});
+    if (!plan) throw std::runtime_error(plan.error().message);
+    return std::move(*plan);
+}
+
+std::vector<std::string> deviceLines() {
+    const Instance instance;
+    if (!instance.handle) return {"none: no Vulkan driver was found"};
+    uint32_t count = 0;
+    vkEnumeratePhysicalDevices(instance.handle, &count, nullptr);
+    std::vector<VkPhysicalDevice> devices(count);
+    vkEnumeratePhysicalDevices(instance.handle, &count, devices.data());
+    std::vector<std::string> lines;
+    for (uint32_t i = 0; i < count; ++i) {
+        VkPhysicalDeviceProperties p{};
+        vkGetPhysicalDeviceProperties(devices[i], &p);
+        lines.push_back(fmt::format("{}: {}, Vulkan {}.{}", i, p.deviceName,
+                                    VK_API_VERSION_MAJOR(p.apiVersion), VK_API_VERSION_MINOR(p.apiVersion)));
+    }
+    return lines;
+}
+
+void listCommand() {
+    Shaders shaders(findAssets());
+    fmt::print("Passes (* default):\n");
+    for (const auto& pass : shaders.pack().passes())
+        printPass(shaders.pack(), pass);
+    fmt::print("Scenes:\n");
+    for (const scenes::Scene& scene : scenes::builtInScenes())
+        fmt::print("  {}: {}\n", scene.name, scene.shows);
+    fmt::print("Devices:\n");
+    for (const std::string& line : deviceLines())
+        fmt::print("  {}\n", line);
+}
+
+void planCommand(const PlanOptions& options) {
+    Shaders shaders(findAssets());
+    const reprise::FramePlan all = planFor(shaders, everything(), options);
+    const reprise::FramePlan scene = planFor(shaders, options.needs, options);
+    printPlan(scene);
+    fmt::print("\n");
+    printCosts(all, costOf(shaders, all), scene, costOf(shaders, scene));
+}
+
+void renderCommand(const RenderOptions& options) {
+    if (options.frame < 0) throw std::runtime_error("--frame must be 0 or more");
+    const Size size = parseSize(options.size);
+    const scenes::Scene scene = findScene(options.scene);
+    harness::Gpu gpu({.device = options.device});
+    scenes::Renderer renderer(gpu, scene, size.width, size.height);
+    Picture picture{size.width, size.height, {}};
+    if (options.truth) {
+        picture.rgb = renderer.groundTruth(options.frame, 64);
+    } else {
+        auto frames = renderFrames(gpu, renderer, static_cast<uint32_t>(options.frame), 1,
+                                   reprise::JitterSequence::none);
+        picture = displayPicture(gpu, frames.front().colour);
+    }
+    const auto png = pngOf(picture);
+    writeFile(options.out, {reinterpret_cast<const char*>(png.data()), png.size()});
+}
+
+} // namespace report

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.hpp"
+#include "page.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace report {
+namespace {
+
+Json deviceJson(const harness::Gpu& gpu) {
+    return {{"name", gpu.name()}, {"driver", gpu.driver()}, {"type", gpu.type()}};
+}
+
+std::string sizeText(Size size) {
+    return fmt::format("{}x{}", size.width, size.height);
+}
+
+Json settingsJson(const Plan& plan, const reprisec::Pack& pack, bool quick) {
+    Json scenes = Json::array(), presets = Json::array(), stages = Json::array();
+    for (const scenes::Scene& scene : plan.scenes)
+        scenes.push_back({{"name", scene.name}, {"shows", scene.shows}, {"cut_frame", scene.cutFrame}});
+    for (const auto& preset : pack.presets("temporal_aa"))
+        presets.push_back(preset.name);
+    for (reprise::Stage stage : plan.stages)
+        stages.push_back(stageText(stage));
+    return {{"quick", quick},
+            {"timing_only", plan.timingOnly},
+            {"scenes", scenes},
+            {"techniques", plan.techniques},
+            {"presets", presets},
+            {"stages", stages},
+            {"error_size", sizeText(plan.errorSize)},
+            {"timing_size", sizeText(plan.timingSize)},
+            {"frames", plan.frames},
+            {"warm_up_frames", warmUpFrames},
+            {"truth_samples", plan.truthSamples},
+            {"timing_rounds", plan.rounds},
+            {"flip_pixels_per_degree", flipPixelsPerDegree},
+            {"display", "x / (1 + x) per channel of linear colour; FLIP of its sRGB encoding"}};
+}
+
+std::string cell(const std::optional<double>& value, int digits) {
+    return value ? fmt::format("{:.{}f}", *value, digits) : std::string("-");
+}
+
+void printRow(const Row& r) {
+    const std::optional<double> ms = r.gpu ? std::optional(r.gpu->median) : std::nullopt;
+    fmt::print("{:<15} {:<38} {:<9} {:>9} {:>6} {:>5} {:>8} {:>8} {:>8}{}\n", r.scene.substr(0, 15),
+               (r.technique == "temporal_aa" ? "" : r.technique + " ") + r.variant, r.stage, cell(ms, 3),
+               cell(r.perNineTaps, 2), cell(r.efficiency, 2), cell(r.error.flip, 4), cell(r.error.rmse, 4),
+               cell(r.error.flicker, 4), r.pareto.value_or(false) ? "  front" : "");
+}
+
+void printReport(const Report& report) {
+    fmt::print("{:<15} {:<38} {:<9} {:>9} {:>6} {:>5} {:>8} {:>8} {:>8}\n", "scene", "variant", "stage", "ms",
+               "/nine", "eff.", "FLIP", "RMSE", "flicker");
+    for (const Row& row : report.rows)
+        printRow(row);
+    fmt::print("\n");
+    for (const Floor& floor : report.floors)
+        fmt::print("floor {:<22} {:>9.3f} ms {:>8.2f} ns/pixel\n", floor.name, floor.gpu.median,
+                   floor.nsPerPixel);
+    fmt::print("\n");
+    for (const Claim& claim : report.claims)
+        fmt::print("{:<16} {:<14} {}\n", claim.id,
+                   !claim.holds   ? "not measured"
+                   : *claim.holds ? "holds"
+                                  : "does not hold",
+                   claim.claim);
+}
+
+void measure(Experiment& e) {
+    for (const scenes::Scene& scene : e.plan.scenes) {
+        scenes::Renderer renderer(e.gpu, scene, e.plan.errorSize.width, e.plan.errorSize.height);
+        if (e.plan.has("temporal_aa")) measureTemporal(e, renderer);
+        if (e.plan.has("camera_velocity") || e.plan.has("object_velocity")) measureVelocity(e, renderer);
+    }
+    measureTimes(e);
+}
+
+uint64_t countNotFinite(const Report& report) {
+    uint64_t count = 0;
+    for (const Row& row : report.rows)
+        count += row.notFinite;
+    return count;
+}
+
+} // namespace
+
+void reportCommand(const ReportOptions& options) {
+    checkWritable(options.out);
+    Shaders shaders(findAssets(), options.fresh);
+    const Plan plan = makePlan(options, shaders.pack());
+    harness::Gpu gpu({.device = options.device});
+    Report report;
+    report.device = deviceJson(gpu);
+    report.settings = settingsJson(plan, shaders.pack(), options.quick);
+    for (const scenes::Scene& scene : plan.scenes)
+        for (const std::string& note : scene.notes)
+            fmt::print(stderr, "{}: {}\n", scene.name, note);
+    Progress progress(plannedWork(plan, shaders));
+    Experiment experiment{gpu, shaders, plan, progress, report};
+    measure(experiment);
+    progress.finish();
+    markPareto(report.rows);
+    report.claims = judgeClaims(report, plan);
+    writeReport(report, options.out);
+    printReport(report);
+    fmt::print("\n{}\n", (std::filesystem::absolute(options.out) / "index.html").lexically_normal().string());
+    if (const uint64_t bad = countNotFinite(report); bad > 0)
+        throw std::runtime_error(fmt::format("{} values of the output are NaN or infinite: rows with "
+                                             "not_finite above 0 in the report name the passes",
+                                             bad));
+}
+
+} // namespace report
