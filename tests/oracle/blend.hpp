@@ -23,12 +23,14 @@ inline dvec3 blendHistory(dvec3 current, dvec3 history, double weight) {
     return weight == 0.0 ? current : current * (1.0 - weight) + history * weight;
 }
 
-using AxisWeights = std::array<double, 3>;   // of the texels at -1, 0, +1
+using AxisWeights = std::array<double, 3>; // of the texels at -1, 0, +1
 
-// The image was moved by +jitter, so the pixel's centre is found at +jitter: a tent of half width 1 around it.
+// The image was moved by +jitter, so the pixel's centre is found at +jitter: a tent of half width 1 around
+// it.
 inline AxisWeights unjitterWeightsBilinear(double jitterPx) {
     AxisWeights weights;
-    for (int i = 0; i < 3; ++i) weights[static_cast<size_t>(i)] = std::max(0.0, 1.0 - std::abs(i - 1 - jitterPx));
+    for (int i = 0; i < 3; ++i)
+        weights[static_cast<size_t>(i)] = std::max(0.0, 1.0 - std::abs(i - 1 - jitterPx));
     return weights;
 }
 
@@ -40,13 +42,15 @@ inline AxisWeights unjitterWeightsGaussian(double jitterPx, double sigmaPx = 0.4
         double distance = (i - 1 - jitterPx) / sigmaPx;
         sum += weights[static_cast<size_t>(i)] = std::exp(-0.5 * distance * distance);
     }
-    for (double& weight : weights) weight /= sum;
+    for (double& weight : weights)
+        weight /= sum;
     return weights;
 }
 
 inline dvec3 weighSquare(const Square& square, const AxisWeights& x, const AxisWeights& y) {
     dvec3 sum(0.0);
-    for (size_t i = 0; i < 9; ++i) sum += x[i % 3] * y[i / 3] * square[i];
+    for (size_t i = 0; i < 9; ++i)
+        sum += x[i % 3] * y[i / 3] * square[i];
     return sum;
 }
 

@@ -27,7 +27,8 @@ inline double luminance(dvec3 colour) {
     return 0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b;
 }
 
-// The lifting form: Co = R - B, Cg = G - (R + B) / 2, each halved to stay in [-1/2, 1/2]; Y = (R + 2 G + B) / 4.
+// The lifting form: Co = R - B, Cg = G - (R + B) / 2, each halved to stay in [-1/2, 1/2]; Y = (R + 2 G + B)
+// / 4.
 inline dvec3 rgbToYcocg(dvec3 rgb) {
     double mean = (rgb.r + rgb.b) / 2.0;
     return {(mean + rgb.g) / 2.0, (rgb.r - rgb.b) / 2.0, (rgb.g - mean) / 2.0};

@@ -18,7 +18,7 @@ using glm::ivec2;
 
 struct Image {
     int width = 0, height = 0;
-    std::vector<dvec4> texels;   // rows top to bottom
+    std::vector<dvec4> texels; // rows top to bottom
 
     Image() = default;
     Image(int w, int h, dvec4 fill = dvec4(0.0))
@@ -44,8 +44,8 @@ inline dvec4 samplePoint(const Image& image, dvec2 uv) {
     return texelClamped(image, texelIndex(texel.x, image.width), texelIndex(texel.y, image.height));
 }
 
-// The four texels whose centres surround uv, by the areas opposite to them. A texel of weight 0 takes no part,
-// so that a NaN beside an exactly hit centre does not reach the result; hardware may let it.
+// The four texels whose centres surround uv, by the areas opposite to them. A texel of weight 0 takes no
+// part, so that a NaN beside an exactly hit centre does not reach the result; hardware may let it.
 inline dvec4 sampleLinear(const Image& image, dvec2 uv) {
     dvec2 position = uv * image.extent() - 0.5;
     ivec2 first(texelIndex(position.x, image.width), texelIndex(position.y, image.height));

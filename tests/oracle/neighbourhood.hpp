@@ -34,13 +34,15 @@ inline Box extended(Box box, dvec3 colour) {
 
 inline Box boxOfPlus(const Square& square) {
     Box box{square[squareCentre], square[squareCentre]};
-    for (size_t i : plusOfSquare) box = extended(box, square[i]);
+    for (size_t i : plusOfSquare)
+        box = extended(box, square[i]);
     return box;
 }
 
 inline Box boxOfSquare(const Square& square) {
     Box box{square[squareCentre], square[squareCentre]};
-    for (dvec3 colour : square) box = extended(box, colour);
+    for (dvec3 colour : square)
+        box = extended(box, colour);
     return box;
 }
 
@@ -52,15 +54,18 @@ inline Box boxRounded(const Square& square) {
 // Mean and standard deviation of the nine (of the population, not of a sample), in two passes.
 inline Box boxOfVariance(const Square& square, double deviations = 1.0) {
     dvec3 mean(0.0), squares(0.0);
-    for (dvec3 colour : square) mean += colour / 9.0;
-    for (dvec3 colour : square) squares += (colour - mean) * (colour - mean) / 9.0;
+    for (dvec3 colour : square)
+        mean += colour / 9.0;
+    for (dvec3 colour : square)
+        squares += (colour - mean) * (colour - mean) / 9.0;
     dvec3 reach = deviations * glm::sqrt(squares);
     return {mean - reach, mean + reach};
 }
 
 inline Box boxOfFourTaps(dvec3 centre, const std::array<dvec3, 4>& taps) {
     Box box{centre, centre};
-    for (dvec3 tap : taps) box = extended(box, tap);
+    for (dvec3 tap : taps)
+        box = extended(box, tap);
     return box;
 }
 
@@ -84,7 +89,8 @@ inline dvec3 clampToBox(dvec3 history, Box box) {
 // Below this a side's half length counts as this.
 inline constexpr double minBoxExtent = 1e-7;
 
-// In the space where the box is [-1, 1]^3, divides by the largest coordinate if that is above 1. INSIDE, clip_aabb.
+// In the space where the box is [-1, 1]^3, divides by the largest coordinate if that is above 1. INSIDE,
+// clip_aabb.
 inline dvec3 clipToBoxCentre(dvec3 history, Box box) {
     dvec3 centre = (box.minimum + box.maximum) / 2.0;
     double largest = 1.0;
@@ -102,8 +108,10 @@ inline dvec3 clipToBoxLine(dvec3 history, dvec3 current, Box box) {
     double share = 1.0;
     for (int axis = 0; axis < 3; ++axis) {
         double way = history[axis] - start[axis];
-        if (history[axis] > box.maximum[axis]) share = std::min(share, (box.maximum[axis] - start[axis]) / way);
-        if (history[axis] < box.minimum[axis]) share = std::min(share, (box.minimum[axis] - start[axis]) / way);
+        if (history[axis] > box.maximum[axis])
+            share = std::min(share, (box.maximum[axis] - start[axis]) / way);
+        if (history[axis] < box.minimum[axis])
+            share = std::min(share, (box.minimum[axis] - start[axis]) / way);
     }
     return start + (history - start) * share;
 }

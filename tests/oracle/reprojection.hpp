@@ -79,11 +79,12 @@ inline bool isCloser(double a, double b, bool reversed) {
     return reversed ? a > b : a < b;
 }
 
-using DepthSquare = std::array<double, 9>;   // rows from the upper left
+using DepthSquare = std::array<double, 9>; // rows from the upper left
 
 inline DepthSquare depthSquareAt(const Image& depth, int x, int y) {
     DepthSquare square;
-    for (int i = 0; i < 9; ++i) square[static_cast<size_t>(i)] = texelClamped(depth, x + i % 3 - 1, y + i / 3 - 1).x;
+    for (int i = 0; i < 9; ++i)
+        square[static_cast<size_t>(i)] = texelClamped(depth, x + i % 3 - 1, y + i / 3 - 1).x;
     return square;
 }
 

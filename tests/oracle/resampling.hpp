@@ -18,8 +18,8 @@ inline double catmullRom(double distance) {
 }
 
 struct CubicAxis {
-    double first = 0.0;                // texel index of the second tap, whose centre is at or before the place
-    std::array<double, 4> weights{};   // of first - 1 ... first + 2
+    double first = 0.0;              // texel index of the second tap, whose centre is at or before the place
+    std::array<double, 4> weights{}; // of first - 1 ... first + 2
 };
 
 inline CubicAxis cubicAxis(double uv, double size) {
@@ -39,7 +39,8 @@ inline dvec3 sampleCatmullRom12(const Image& image, dvec2 uv) {
         int column = i % 4, row = i / 4;
         if ((column == 0 || column == 3) && (row == 0 || row == 3)) continue;
         double weight = x.weights[static_cast<size_t>(column)] * y.weights[static_cast<size_t>(row)];
-        int tx = texelIndex(x.first, image.width) + column - 1, ty = texelIndex(y.first, image.height) + row - 1;
+        int tx = texelIndex(x.first, image.width) + column - 1,
+            ty = texelIndex(y.first, image.height) + row - 1;
         sum += weight * dvec3(texelClamped(image, tx, ty));
         weights += weight;
     }

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "function_runner.hpp"
+#include "images.hpp"
+#include "inputs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace functions {
+namespace {
+
+const std::string header = "reprise/quad_sharing.hlsli";
+
+struct Shared {
+    Image image;
+    std::vector<Row> out; // side, value of the row's other pixel, of the column's
+};
+
+Shared share(const Image& image, const Mutation& mutation) {
+    const glm::ivec2 size(image.width, image.height);
+    const std::string extent = "float2(" + std::to_string(size.x) + ".0, " + std::to_string(size.y) + ".0)";
+    const Function function{"quad sharing",
+                            {header},
+                            "float3 value = SAMPLE(gTexture0, positionPx.xy / " + extent +
+                                ").rgb;"
+                                "float2 side = quadSide(positionPx.xy); out0.xy = side;"
+                                "out1.xyz = quadSwapX(value, side); out2.xyz = quadSwapY(value, side);",
+                            0,
+                            3,
+                            {},
+                            reprise::Stage::fragment,
+                            {{image, false}}};
+    return {image, run(function, {}, {.mutation = mutation, .extent = size})};
+}
+
+// A quad is the 2x2 from an even pixel; at an odd edge its other pixels are helpers that read the clamped
+// texel. What comes over is own + (other - own): two roundings, each at most at twice the larger.
+std::string wrongPixels(const Image& image, const Mutation& mutation = {}) {
+    const Shared shared = share(image, mutation);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Row& out = shared.out[static_cast<size_t>(y * image.width + x)];
+            const dvec3 own(image.at(x, y)), row(oracle::texelClamped(image, x ^ 1, y)),
+                column(oracle::texelClamped(image, x, y ^ 1));
+            std::ostringstream where;
+            where << "pixel " << x << ", " << y << " of " << image.width << "x" << image.height;
+            if (xy(out[0]) != dvec2((x & 1) * 2 - 1, (y & 1) * 2 - 1)) return where.str() + ": side";
+            for (int c = 0; c < 3; ++c) {
+                const double boundX = 4.0 * roundoff * std::max(own[c], row[c]),
+                             boundY = 4.0 * roundoff * std::max(own[c], column[c]);
+                where << ": " << out[1][c] << " for " << row[c] << ", " << out[2][c] << " for " << column[c];
+                if (!(std::abs(out[1][c] - row[c]) <= boundX) || !(std::abs(out[2][c] - column[c]) <= boundY))
+                    return where.str();
+            }
+        }
+    return "";
+}
+
+TEST(QuadSharing, valuesOfTheOtherPixelsComeOver) {
+    for (glm::ivec2 size :
+         {glm::ivec2(1, 1), glm::ivec2(2, 2), glm::ivec2(7, 5), glm::ivec2(64, 64), glm::ivec2(33, 18)}) {
+        EXPECT_EQ(wrongPixels(randomImage(size.x, size.y, 1)), "");
+        EXPECT_EQ(wrongPixels(randomImage(size.x, size.y, 2, 0.0f, 65504.0f)), "");
+    }
+}
+
+TEST(QuadSharing, smallValueBesideTheLargestColourComesOverWithinOneStepOfIt) {
+    Image image(2, 2, dvec4(65504.0));
+    image.at(0, 0) = dvec4(0.001f);
+    EXPECT_EQ(wrongPixels(image), "");
+}
+
+TEST(QuadSharing, wrongDirectionOrSignIsCaught) {
+    const Image image = randomImage(7, 5, 3);
+    EXPECT_NE(
+        wrongPixels(image, {header, "value - ddx_fine(value) * side.x", "value + ddx_fine(value) * side.x"}),
+        "");
+    EXPECT_NE(wrongPixels(image, {header, "ddy_fine(value) * side.y", "ddx_fine(value) * side.y"}), "");
+    EXPECT_NE(wrongPixels(image, {header, "frac(floor(positionPx) * 0.5) * 4.0 - 1.0",
+                                  "1.0 - frac(floor(positionPx) * 0.5) * 4.0"}),
+              "");
+}
+
+} // namespace
+} // namespace functions
