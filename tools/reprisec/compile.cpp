@@ -26,36 +26,45 @@ Result<Words> moduleFrom(const Source& source, const Defines& defines, std::vect
 }
 
 void emitInto(const Result<std::string>& text, std::optional<std::string>& target, std::string& reason) {
-    if (text) target = *text;
-    else reason = text.error().message;
+    if (text)
+        target = *text;
+    else
+        reason = text.error().message;
 }
 
-Result<void> emitTargets(const Source& source, const Defines& defines, const Words& module, const GlslNames& names,
-                         Compiled& compiled) {
-    emitInto(emitGlsl(module, source.stage, GlslTarget::gl450, names), compiled.glsl450, compiled.glsl450Reason);
+Result<void> emitTargets(const Source& source, const Defines& defines, const Words& module,
+                         const GlslNames& names, Compiled& compiled) {
+    emitInto(emitGlsl(module, source.stage, GlslTarget::gl450, names), compiled.glsl450,
+             compiled.glsl450Reason);
     if (!defines.contains(esSwitch) || defines.at(esSwitch) != 0) {
-        emitInto(emitGlsl(module, source.stage, GlslTarget::es, names), compiled.glslEs, compiled.glslEsReason);
+        emitInto(emitGlsl(module, source.stage, GlslTarget::es, names), compiled.glslEs,
+                 compiled.glslEsReason);
         return {};
     }
     Defines forEs = defines;
     forEs[esSwitch] = 1;
     auto esModule = moduleFrom(source, forEs, nullptr);
     if (!esModule) return badShader(esModule.error().message + " (with PLATFORM_GLES)");
-    emitInto(emitGlsl(*esModule, source.stage, GlslTarget::es, names), compiled.glslEs, compiled.glslEsReason);
+    emitInto(emitGlsl(*esModule, source.stage, GlslTarget::es, names), compiled.glslEs,
+             compiled.glslEsReason);
     return {};
 }
 
-Result<Compiled> compileText(const Source& source, const Defines& defines, const GlslNames& names, bool glsl) {
+Result<Compiled> compileText(const Source& source, const Defines& defines, const GlslNames& names,
+                             bool glsl) {
     Compiled compiled;
     auto module = moduleFrom(source, defines, &compiled.dependencies);
     if (!module) return module.error();
     compiled.spirv = withoutDebugNames(*module);
-    if (auto valid = validate(compiled.spirv); !valid) return badShader(source.name + ":1: " + valid.error().message);
+    if (auto valid = validate(compiled.spirv); !valid)
+        return badShader(source.name + ":1: " + valid.error().message);
     auto reflection = reflect(compiled.spirv, source.stage);
     if (!reflection) return badShader(source.name + ":1: " + reflection.error().message);
     compiled.reflection = std::move(*reflection);
-    if (!glsl) compiled.glsl450Reason = compiled.glslEsReason = "not asked for";
-    else if (auto emitted = emitTargets(source, defines, *module, names, compiled); !emitted) return emitted.error();
+    if (!glsl)
+        compiled.glsl450Reason = compiled.glslEsReason = "not asked for";
+    else if (auto emitted = emitTargets(source, defines, *module, names, compiled); !emitted)
+        return emitted.error();
     return compiled;
 }
 
@@ -85,8 +94,8 @@ Result<void> checkBindings(const Variant& variant, const fs::path& table, Reflec
         const auto entry = std::ranges::find_if(
             known, [&](const auto& each) { return each.name == use.name && each.binding == use.binding; });
         if (entry == known.end())
-            return badShader(use.name + " has binding " + std::to_string(use.binding) + ", which " + table.string() +
-                             " does not list for this pass; make the two agree");
+            return badShader(use.name + " has binding " + std::to_string(use.binding) + ", which " +
+                             table.string() + " does not list for this pass; make the two agree");
         if (isAbsent(variant, textureOf(use.name)))
             return badShader(use.name + " is used, but `when` in " + table.string() +
                              " says that this variant has none; make the two agree");
@@ -101,8 +110,9 @@ Result<void> checkForm(const Variant& variant, Stage stage, const Reflection& re
     const auto outputs = static_cast<uint32_t>(std::ranges::count_if(
         variant.pass->outputs, [&](const auto& image) { return reprise::exists(variant, image); }));
     if (stage == Stage::fragment && reflection.colourOutputs != outputs)
-        return badShader("it writes " + std::to_string(reflection.colourOutputs) + " targets where the table has " +
-                         std::to_string(outputs) + " outputs; make the two agree");
+        return badShader("it writes " + std::to_string(reflection.colourOutputs) +
+                         " targets where the table has " + std::to_string(outputs) +
+                         " outputs; make the two agree");
     return {};
 }
 
@@ -116,7 +126,8 @@ GlslNames namesOf(const Variant& variant) {
     return names;
 }
 
-Result<Compiled> compileVariant(const Pack& pack, const Variant& variant, Stage stage, const Options& options) {
+Result<Compiled> compileVariant(const Pack& pack, const Variant& variant, Stage stage,
+                                const Options& options) {
     const auto& storage = *pack.storage;
     const size_t index = static_cast<size_t>(variant.pass - storage.passes.data());
     const fs::path& file = storage.sources[index].file;
@@ -124,7 +135,8 @@ Result<Compiled> compileVariant(const Pack& pack, const Variant& variant, Stage 
     if (!text) return text.error();
     auto defines = definesOf(pack, &variant, stage, options.platformSwitches);
     if (!defines) return defines.error();
-    const Source source{file.string(), *text, std::string(entryPoint(stage)), stage, {}, storage.includeDirectories};
+    const Source source{file.string(), *text, std::string(entryPoint(stage)),
+                        stage,         {},    storage.includeDirectories};
     auto compiled = compileText(source, *defines, namesOf(variant), options.glsl);
     if (!compiled) return compiled;
     compiled->dependencies.insert(compiled->dependencies.begin(), file);
@@ -143,8 +155,8 @@ uint32_t parameterBytes(const Pack& pack, size_t index) {
     for (Stage stage : pass.stages) {
         const auto defines = definesOf(pack, &variant, stage, {});
         if (!text || !defines) return 0;
-        const Source source{file.string(), *text, std::string(entryPoint(stage)), stage, {},
-                            pack.storage->includeDirectories};
+        const Source source{file.string(), *text, std::string(entryPoint(stage)),
+                            stage,         {},    pack.storage->includeDirectories};
         const auto front = hlslToSpirv(source, *defines);
         if (!front) return 0;
         const auto reflection = reflect(front->spirv, stage);
@@ -172,8 +184,10 @@ Result<Defines> definesFor(const Source& source, const Options& options) {
         defines.merge(*known);
     }
     defines["STAGE_COMPUTE"] = source.stage == Stage::compute;
-    for (const auto& [name, value] : options.platformSwitches) defines[name] = value;
-    for (const auto& [name, value] : source.defines) defines[name] = value;
+    for (const auto& [name, value] : options.platformSwitches)
+        defines[name] = value;
+    for (const auto& [name, value] : source.defines)
+        defines[name] = value;
     return defines;
 }
 
@@ -199,7 +213,8 @@ Result<Compiled> compile(const Pack& pack, const Variant& variant, Stage stage, 
     own.pass = pass;
     const std::string name = reprise::variantName(own);
     if (std::ranges::find(pass->stages, stage) == pass->stages.end())
-        return located({ErrorCode::invalidArgument, "the pass has no such stage in " + pack.file().string()}, name, stage);
+        return located({ErrorCode::invalidArgument, "the pass has no such stage in " + pack.file().string()},
+                       name, stage);
     auto compiled = compileVariant(pack, own, stage, options);
     if (!compiled) return located(compiled.error(), name, stage);
     return compiled;

@@ -24,18 +24,24 @@ Result<std::string> readText(const fs::path& file) {
 
 std::string_view entryPoint(Stage stage) {
     switch (stage) {
-    case Stage::vertex: return "mainVertex";
-    case Stage::fragment: return "mainFragment";
-    case Stage::compute: break;
+    case Stage::vertex:
+        return "mainVertex";
+    case Stage::fragment:
+        return "mainFragment";
+    case Stage::compute:
+        break;
     }
     return "mainCompute";
 }
 
 std::string_view stageWord(Stage stage) {
     switch (stage) {
-    case Stage::vertex: return "vertex";
-    case Stage::fragment: return "fragment";
-    case Stage::compute: break;
+    case Stage::vertex:
+        return "vertex";
+    case Stage::fragment:
+        return "fragment";
+    case Stage::compute:
+        break;
     }
     return "compute";
 }
@@ -53,22 +59,29 @@ void defineSwitch(Defines& defines, const reprise::SwitchInfo& info, std::string
         defines[name] |= value == "on";
         return;
     }
-    for (std::string_view each : info.values) defines[name + "_" + upper(each)] |= each == value;
+    for (std::string_view each : info.values)
+        defines[name + "_" + upper(each)] |= each == value;
 }
 
-bool isWordStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
-bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+bool isWordStart(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
+}
+bool isWord(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
 
 std::string_view nextWord(std::string_view& text) {
     size_t begin = 0;
     while (begin < text.size() && !isWordStart(text[begin])) {
         // The letters of a number such as 0x1F or 1u are no identifier.
         if (std::isdigit(static_cast<unsigned char>(text[begin])))
-            while (begin + 1 < text.size() && isWord(text[begin + 1])) ++begin;
+            while (begin + 1 < text.size() && isWord(text[begin + 1]))
+                ++begin;
         ++begin;
     }
     size_t end = begin;
-    while (end < text.size() && isWord(text[end])) ++end;
+    while (end < text.size() && isWord(text[end]))
+        ++end;
     const std::string_view word = text.substr(begin, end - begin);
     text.remove_prefix(end);
     return word;
@@ -80,8 +93,10 @@ std::string withoutComments(std::string_view text) {
     bool line = false, block = false;
     for (size_t i = 0; i < text.size(); ++i) {
         const std::string_view two = text.substr(i, 2);
-        if (text[i] == '\n') line = false;
-        else if (!line && !block && (two == "//" || two == "/*")) (two == "//" ? line : block) = true;
+        if (text[i] == '\n')
+            line = false;
+        else if (!line && !block && (two == "//" || two == "/*"))
+            (two == "//" ? line : block) = true;
         if (block && two == "*/") {
             block = false;
             ++i;
@@ -123,8 +138,10 @@ std::vector<Directive> directives(const std::string& text) {
 // `defined(NAME)` asks whether there is one, so it may name any.
 std::string undefinedWord(std::string_view condition, const std::set<std::string>& known) {
     for (std::string_view word = nextWord(condition); !word.empty(); word = nextWord(condition)) {
-        if (word == "defined") nextWord(condition);
-        else if (!known.contains(std::string(word))) return std::string(word);
+        if (word == "defined")
+            nextWord(condition);
+        else if (!known.contains(std::string(word)))
+            return std::string(word);
     }
     return {};
 }
@@ -139,11 +156,13 @@ Result<Defines> definesOf(const Pack& pack, const Variant* variant, Stage stage,
             defineSwitch(defines, info, own ? reprise::switchValue(*variant, info.name) : std::string_view{});
         }
     const auto& known = pack.storage->platformSwitches;
-    for (const std::string& name : known) defines[name] = 0;
+    for (const std::string& name : known)
+        defines[name] = 0;
     for (const auto& [name, value] : platform) {
         if (std::ranges::find(known, name) == known.end())
             return Error{ErrorCode::invalidArgument, "there is no platform switch " + name + " in " +
-                                                         pack.file().string() + "; add it to platform_switches"};
+                                                         pack.file().string() +
+                                                         "; add it to platform_switches"};
         defines[name] = value;
     }
     defines["STAGE_COMPUTE"] = stage == Stage::compute;
@@ -152,7 +171,8 @@ Result<Defines> definesOf(const Pack& pack, const Variant* variant, Stage stage,
 
 Result<void> checkTestedMacros(const std::vector<NamedText>& files, const Defines& defines) {
     std::set<std::string> known;
-    for (const auto& [name, value] : defines) known.insert(name);
+    for (const auto& [name, value] : defines)
+        known.insert(name);
     for (const NamedText& file : files)
         for (const Directive& directive : directives(file.text))
             if (directive.word == "define") {
@@ -165,7 +185,8 @@ Result<void> checkTestedMacros(const std::vector<NamedText>& files, const Define
             const std::string word = undefinedWord(directive.rest, known);
             if (!word.empty())
                 return badShader(file.name + ":" + std::to_string(directive.line) + ": #" + directive.word +
-                                 " tests " + word + ", which no table and no file defines; spell it as pack.toml does");
+                                 " tests " + word +
+                                 ", which no table and no file defines; spell it as pack.toml does");
         }
     return {};
 }

@@ -22,9 +22,12 @@ void initialiseGlslang() {
 
 EShLanguage language(Stage stage) {
     switch (stage) {
-    case Stage::vertex: return EShLangVertex;
-    case Stage::fragment: return EShLangFragment;
-    case Stage::compute: break;
+    case Stage::vertex:
+        return EShLangVertex;
+    case Stage::fragment:
+        return EShLangFragment;
+    case Stage::compute:
+        break;
     }
     return EShLangCompute;
 }
@@ -73,26 +76,30 @@ std::string firstError(const std::string& log) {
         std::smatch match;
         if (line.find(" compilation errors.") != std::string::npos) continue;
         if (!std::regex_match(line, match, plain)) continue;
-        if (!first.empty()) ++more;
+        if (!first.empty())
+            ++more;
         else if (std::regex_match(line, match, located))
             first = match[1].str() + ":" + match[2].str() + ": " + match[3].str();
-        else first = line.substr(7);
+        else
+            first = line.substr(7);
     }
     if (first.empty()) first = log.empty() ? "glslang gave no message" : log.substr(0, log.find('\n'));
-    while (first.ends_with(' ')) first.pop_back();
+    while (first.ends_with(' '))
+        first.pop_back();
     if (more > 0) first += " (and " + std::to_string(more) + " more)";
     return first;
 }
 
 std::string preambleOf(const Defines& defines) {
     std::string preamble;
-    for (const auto& [name, value] : defines) preamble += "#define " + name + " " + std::to_string(value) + "\n";
+    for (const auto& [name, value] : defines)
+        preamble += "#define " + name + " " + std::to_string(value) + "\n";
     return preamble;
 }
 
 Words generate(const glslang::TIntermediate& intermediate, std::string& messages) {
     glslang::SpvOptions options;
-    options.disableOptimizer = true;   // ours runs afterwards, with passes of our choice
+    options.disableOptimizer = true; // ours runs afterwards, with passes of our choice
     spv::SpvBuildLogger logger;
     Words words;
     glslang::GlslangToSpv(intermediate, words, &logger, &options);
@@ -124,7 +131,8 @@ Result<Frontend> hlslToSpirv(const Source& source, const Defines& defines) {
     const bool parsed =
         shader.parse(GetDefaultResources(), 100, ENoProfile, false, false, messages, includer);
 
-    // An undefined macro in #if is 0 without a word, and often the cause of what follows: it is reported first.
+    // An undefined macro in #if is 0 without a word, and often the cause of what follows: it is reported
+    // first.
     std::vector<NamedText> files{{source.name, source.text}};
     Frontend result;
     for (const auto& [file, content] : includer.opened()) {
@@ -140,7 +148,8 @@ Result<Frontend> hlslToSpirv(const Source& source, const Defines& defines) {
     std::string log;
     result.spirv = generate(*program.getIntermediate(language(source.stage)), log);
     if (log.find("error") != std::string::npos || result.spirv.empty())
-        return badShader(source.name + ":1: glslang could not generate SPIR-V: " + log.substr(0, log.find('\n')));
+        return badShader(source.name +
+                         ":1: glslang could not generate SPIR-V: " + log.substr(0, log.find('\n')));
     return result;
 }
 

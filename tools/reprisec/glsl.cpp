@@ -38,8 +38,9 @@ std::vector<std::string> nameCombinedSamplers(sx::CompilerGLSL& compiler) {
     for (const auto& each : compiler.get_combined_image_samplers())
         if (each.sampler_id != dummy) {
             if (samplerOf.contains(each.image_id))
-                throw sx::CompilerError("texture " + compiler.get_name(each.image_id) +
-                                        " is read through two samplers, and GLSL joins the two; declare it twice");
+                throw sx::CompilerError(
+                    "texture " + compiler.get_name(each.image_id) +
+                    " is read through two samplers, and GLSL joins the two; declare it twice");
             samplerOf[each.image_id] = each.sampler_id;
         }
     for (const auto& each : compiler.get_combined_image_samplers()) {
@@ -55,7 +56,9 @@ std::vector<std::string> nameCombinedSamplers(sx::CompilerGLSL& compiler) {
     return merged;
 }
 
-bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+bool isWord(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
 
 void replaceWord(std::string& text, const std::string& from, const std::string& to) {
     for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + 1)) {
@@ -77,8 +80,8 @@ void mergeFetched(std::string& text, const std::string& name) {
 // GLSL before 4.10 links stages by name, so both sides carry the location.
 void nameVaryings(sx::CompilerGLSL& compiler, const sx::SmallVector<sx::Resource>& varyings) {
     for (const sx::Resource& each : varyings)
-        compiler.set_name(each.id,
-                          "varying" + std::to_string(compiler.get_decoration(each.id, spv::DecorationLocation)));
+        compiler.set_name(
+            each.id, "varying" + std::to_string(compiler.get_decoration(each.id, spv::DecorationLocation)));
 }
 
 void nameInterface(sx::CompilerGLSL& compiler, Stage stage, const GlslNames& names) {
@@ -98,10 +101,14 @@ void nameInterface(sx::CompilerGLSL& compiler, Stage stage, const GlslNames& nam
 
 // What ES 3.10 can write (OpenGL ES 3.1, table 8.27).
 const std::map<std::string, uint32_t>& esStorageFormats() {
-    static const std::map<std::string, uint32_t> formats{
-        {"r32f", spv::ImageFormatR32f}, {"rgba16f", spv::ImageFormatRgba16f}, {"rgba32f", spv::ImageFormatRgba32f},
-        {"rgba8", spv::ImageFormatRgba8}, {"rgba8_snorm", spv::ImageFormatRgba8Snorm},
-        {"r32i", spv::ImageFormatR32i}, {"r32ui", spv::ImageFormatR32ui}, {"rgba32ui", spv::ImageFormatRgba32ui}};
+    static const std::map<std::string, uint32_t> formats{{"r32f", spv::ImageFormatR32f},
+                                                         {"rgba16f", spv::ImageFormatRgba16f},
+                                                         {"rgba32f", spv::ImageFormatRgba32f},
+                                                         {"rgba8", spv::ImageFormatRgba8},
+                                                         {"rgba8_snorm", spv::ImageFormatRgba8Snorm},
+                                                         {"r32i", spv::ImageFormatR32i},
+                                                         {"r32ui", spv::ImageFormatR32ui},
+                                                         {"rgba32ui", spv::ImageFormatRgba32ui}};
     return formats;
 }
 
@@ -134,7 +141,8 @@ std::string compileText(const Words& module, Stage stage, GlslTarget target, con
     const auto merged = nameCombinedSamplers(compiler);
     nameInterface(compiler, stage, names);
     std::string text = compiler.compile();
-    for (const std::string& name : merged) mergeFetched(text, name);
+    for (const std::string& name : merged)
+        mergeFetched(text, name);
     return text;
 }
 

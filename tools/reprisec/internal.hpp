@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 // What the table says of a pass beyond PassInfo.
 struct PassSource {
-    fs::path file;                 // as messages name it
-    std::string parameters;        // the C++ struct, and the block in GLSL; empty: no parameters
+    fs::path file;          // as messages name it
+    std::string parameters; // the C++ struct, and the block in GLSL; empty: no parameters
 };
 
 struct Pack::Storage {
@@ -29,8 +29,8 @@ struct Pack::Storage {
     std::vector<fs::path> includeDirectories;
     std::vector<std::string> platformSwitches;
     std::vector<PassInfo> passes;
-    std::vector<PassSource> sources;                           // as passes
-    std::vector<std::vector<reprise::PresetInfo>> presets;     // as passes
+    std::vector<PassSource> sources;                       // as passes
+    std::vector<std::vector<reprise::PresetInfo>> presets; // as passes
 
     // The spans and views above point into these; a deque keeps its elements in place.
     std::deque<std::string> texts;
@@ -42,13 +42,15 @@ struct Pack::Storage {
     std::deque<std::vector<reprise::ImageInfo>> imageLists;
 };
 
-constexpr uint32_t samplerOffset = 32;   // a texture's sampler is at the texture's binding plus this
+constexpr uint32_t samplerOffset = 32; // a texture's sampler is at the texture's binding plus this
 
-inline Error badShader(std::string message) { return {ErrorCode::badShader, std::move(message)}; }
+inline Error badShader(std::string message) {
+    return {ErrorCode::badShader, std::move(message)};
+}
 Result<std::string> readText(const fs::path& file);
 std::string upper(std::string_view text);
-std::string_view entryPoint(Stage stage);          // mainVertex, mainFragment, mainCompute
-std::string_view stageWord(Stage stage);           // vertex, fragment, compute
+std::string_view entryPoint(Stage stage); // mainVertex, mainFragment, mainCompute
+std::string_view stageWord(Stage stage);  // vertex, fragment, compute
 
 // pack_toml.cpp: the table alone; Pack::load adds the sizes of the parameters, which only the HLSL knows.
 Result<std::shared_ptr<Pack::Storage>> readTable(const fs::path& packToml);
@@ -65,7 +67,7 @@ Result<void> checkTestedMacros(const std::vector<NamedText>& files, const Define
 // frontend.cpp
 struct Frontend {
     Words spirv;
-    std::vector<fs::path> headers;   // sorted, as the includer found them
+    std::vector<fs::path> headers; // sorted, as the includer found them
 };
 Result<Frontend> hlslToSpirv(const Source& source, const Defines& defines);
 // Compiles GLSL text as an OpenGL driver would; `name` is for the message.
@@ -74,13 +76,14 @@ Result<void> checkGlsl(const std::string& name, const std::string& text, Stage s
 // spirv_edit.cpp
 struct Instruction {
     uint32_t opcode;
-    std::span<const uint32_t> words;   // with the first word
+    std::span<const uint32_t> words; // with the first word
 };
 void forEachInstruction(const Words& module, const std::function<void(const Instruction&)>& visit);
 std::string literalString(std::span<const uint32_t> words);
 // glslang calls every storage image rgba32f: makes them formatless, so that any format can be bound.
 Words withoutStorageFormats(const Words& module);
-// Marks storage images that are only written or only read, keeps the names that reflection needs, drops the rest.
+// Marks storage images that are only written or only read, keeps the names that reflection needs, drops the
+// rest.
 Words withStorageAccess(const Words& module);
 Words withoutDebugNames(const Words& module);
 // Gives the storage images named a format of their own, for GLSL that demands one.
@@ -96,13 +99,14 @@ Result<Reflection> reflect(const Words& module, Stage stage);
 // glsl.cpp
 enum class GlslTarget { gl450, es };
 struct GlslNames {
-    std::vector<std::string> outputs;               // of SV_Target0 on; empty: as the HLSL names them
-    std::map<std::string, std::string> formats;     // of storage images
+    std::vector<std::string> outputs;           // of SV_Target0 on; empty: as the HLSL names them
+    std::map<std::string, std::string> formats; // of storage images
 };
 // On failure the message is the reason for which the target cannot have the module.
 Result<std::string> emitGlsl(const Words& module, Stage stage, GlslTarget target, const GlslNames& names);
 
 // json.cpp
-std::string reflectionJson(const Variant& variant, Stage stage, const Compiled& compiled, const fs::path& packRoot);
+std::string reflectionJson(const Variant& variant, Stage stage, const Compiled& compiled,
+                           const fs::path& packRoot);
 
 } // namespace reprisec

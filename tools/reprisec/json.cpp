@@ -13,12 +13,18 @@ using reprise::BindingKind;
 
 const char* kindName(BindingKind kind) {
     switch (kind) {
-    case BindingKind::sampledImage: return "sampledImage";
-    case BindingKind::pointSampler: return "pointSampler";
-    case BindingKind::linearSampler: return "linearSampler";
-    case BindingKind::storageImage: return "storageImage";
-    case BindingKind::uniformBuffer: return "uniformBuffer";
-    case BindingKind::storageBuffer: return "storageBuffer";
+    case BindingKind::sampledImage:
+        return "sampledImage";
+    case BindingKind::pointSampler:
+        return "pointSampler";
+    case BindingKind::linearSampler:
+        return "linearSampler";
+    case BindingKind::storageImage:
+        return "storageImage";
+    case BindingKind::uniformBuffer:
+        return "uniformBuffer";
+    case BindingKind::storageBuffer:
+        return "storageBuffer";
     }
     return "unknown";
 }
@@ -33,7 +39,9 @@ ordered_json parametersJson(const Reflection& reflection) {
     if (reflection.parameterBytes == 0) return nullptr;
     ordered_json members = ordered_json::array();
     for (const ParameterMember& member : reflection.parameters)
-        members.push_back({{"name", member.name}, {"type", member.type}, {"offset", member.offset},
+        members.push_back({{"name", member.name},
+                           {"type", member.type},
+                           {"offset", member.offset},
                            {"bytes", member.bytes}});
     return {{"bytes", reflection.parameterBytes}, {"members", members}};
 }
@@ -45,7 +53,8 @@ ordered_json targetJson(const std::string& file, bool exists, const std::string&
 
 } // namespace
 
-std::string reflectionJson(const Variant& variant, Stage stage, const Compiled& compiled, const fs::path& packRoot) {
+std::string reflectionJson(const Variant& variant, Stage stage, const Compiled& compiled,
+                           const fs::path& packRoot) {
     const std::string name = reprise::variantName(variant) + "." + std::string(reprise::stageName(stage));
     const Reflection& reflection = compiled.reflection;
     ordered_json json{{"schema", 1},
@@ -57,10 +66,12 @@ std::string reflectionJson(const Variant& variant, Stage stage, const Compiled& 
     for (const auto& info : variant.pass->switches)
         json["switches"][std::string(info.name)] = reprise::switchValue(variant, info.name);
     json["bindings"] = ordered_json::array();
-    for (const BindingUse& use : reflection.bindings) json["bindings"].push_back(bindingJson(use));
+    for (const BindingUse& use : reflection.bindings)
+        json["bindings"].push_back(bindingJson(use));
     json["parameters"] = parametersJson(reflection);
     json["threads"] = stage == Stage::compute ? ordered_json(reflection.threads) : ordered_json(nullptr);
-    json["colourOutputs"] = stage == Stage::fragment ? ordered_json(reflection.colourOutputs) : ordered_json(nullptr);
+    json["colourOutputs"] =
+        stage == Stage::fragment ? ordered_json(reflection.colourOutputs) : ordered_json(nullptr);
     json["targets"] = {
         {"spirv", targetJson(name + ".spv", true, {})},
         {"glsl450", targetJson(name + ".450.glsl", compiled.glsl450.has_value(), compiled.glsl450Reason)},

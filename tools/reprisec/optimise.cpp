@@ -41,7 +41,7 @@ Result<Words> optimise(const Words& module) {
     optimizer.SetMessageConsumer(collectInto(message));
     registerPasses(optimizer);
     spvtools::OptimizerOptions options;
-    options.set_run_validator(false);   // before legalisation the module need not be valid; afterwards we check
+    options.set_run_validator(false); // before legalisation the module need not be valid; afterwards we check
     Words result;
     if (!optimizer.Run(module.data(), module.size(), &result, options))
         return badShader("the SPIR-V optimiser failed: " + message);

@@ -17,10 +17,14 @@ std::string bytesOf(const Words& words) {
 
 std::string_view extension(Target target) {
     switch (target) {
-    case Target::spirv: return ".spv";
-    case Target::glsl450: return ".450.glsl";
-    case Target::glslEs: return ".es.glsl";
-    case Target::json: break;
+    case Target::spirv:
+        return ".spv";
+    case Target::glsl450:
+        return ".450.glsl";
+    case Target::glslEs:
+        return ".es.glsl";
+    case Target::json:
+        break;
     }
     return ".json";
 }
@@ -35,7 +39,8 @@ Result<void> writeWhole(const fs::path& file, const std::string& bytes) {
         stream.close();
         if (!stream) {
             fs::remove(temporary, error);
-            return Error{ErrorCode::fileError, "cannot write " + file.string() + "; is the directory writable?"};
+            return Error{ErrorCode::fileError,
+                         "cannot write " + file.string() + "; is the directory writable?"};
         }
     }
     fs::rename(temporary, file, error);
@@ -43,7 +48,8 @@ Result<void> writeWhole(const fs::path& file, const std::string& bytes) {
     return {};
 }
 
-// Of the form PASS/PASS.STAGE.EXTENSION or PASS/PASS--SWITCHES.STAGE.EXTENSION: only such files are ever removed.
+// Of the form PASS/PASS.STAGE.EXTENSION or PASS/PASS--SWITCHES.STAGE.EXTENSION: only such files are ever
+// removed.
 bool isModuleFile(const fs::path& file) {
     const std::string name = file.filename().string(), pass = file.parent_path().filename().string();
     if (!name.starts_with(pass + ".") && !name.starts_with(pass + "--")) return false;
@@ -68,7 +74,8 @@ std::string makePath(const fs::path& path) {
 } // namespace
 
 fs::path outputPath(const Job& job, Target target) {
-    const std::string name = reprise::variantName(job.variant) + "." + std::string(reprise::stageName(job.stage));
+    const std::string name =
+        reprise::variantName(job.variant) + "." + std::string(reprise::stageName(job.stage));
     return fs::path(std::string(job.variant.pass->name)) / (name + std::string(extension(target)));
 }
 
@@ -81,7 +88,7 @@ std::vector<Job> jobsOf(const Variant& variant, std::optional<Stage> stage) {
 
 std::vector<Job> committedJobs(const Pack& pack, std::string_view pass) {
     std::vector<Job> jobs;
-    std::set<fs::path> seen;   // switches without effect in a stage make two variants the same there
+    std::set<fs::path> seen; // switches without effect in a stage make two variants the same there
     for (const PassInfo& each : pack.passes()) {
         if (!pass.empty() && pass != each.name) continue;
         for (const Variant& variant : pack.committedVariants(each))
@@ -106,13 +113,16 @@ Result<std::vector<Product>> compileAll(const Pack& pack, const std::vector<Job>
     };
     {
         std::vector<std::jthread> workers;
-        for (unsigned i = 0; i < std::max(threads, 1u); ++i) workers.emplace_back(work);
+        for (unsigned i = 0; i < std::max(threads, 1u); ++i)
+            workers.emplace_back(work);
     }
     std::vector<Product> products;
     std::string errors;
     for (size_t i = 0; i < jobs.size(); ++i) {
-        if (*results[i]) products.push_back({jobs[i], std::move(**results[i])});
-        else errors += (errors.empty() ? "" : "\n") + results[i]->error().message;
+        if (*results[i])
+            products.push_back({jobs[i], std::move(**results[i])});
+        else
+            errors += (errors.empty() ? "" : "\n") + results[i]->error().message;
     }
     if (!errors.empty()) return badShader(errors);
     return products;
@@ -147,7 +157,8 @@ Result<size_t> writeFiles(const fs::path& out, const Files& files) {
 std::vector<fs::path> superfluousFiles(const fs::path& out, const Files& files) {
     std::vector<fs::path> found;
     std::error_code error;
-    for (fs::recursive_directory_iterator each(out, error), end; !error && each != end; each.increment(error)) {
+    for (fs::recursive_directory_iterator each(out, error), end; !error && each != end;
+         each.increment(error)) {
         const fs::path relative = each->path().lexically_relative(out);
         if (each->is_regular_file() && isModuleFile(each->path()) && !files.contains(relative))
             found.push_back(relative);
@@ -160,24 +171,46 @@ std::vector<std::string> compareFiles(const fs::path& out, const Files& files) {
     std::vector<std::string> differences;
     for (const auto& [path, bytes] : files) {
         const auto present = readText(out / path);
-        if (!present) differences.push_back("missing: " + (out / path).string());
-        else if (*present != bytes) differences.push_back("differs: " + (out / path).string());
+        if (!present)
+            differences.push_back("missing: " + (out / path).string());
+        else if (*present != bytes)
+            differences.push_back("differs: " + (out / path).string());
     }
     for (const fs::path& path : superfluousFiles(out, files))
         differences.push_back("superfluous: " + (out / path).string());
     return differences;
 }
 
-Result<void> writeDepfile(const fs::path& depfile, const fs::path& out, const Files& files, const Pack& pack,
+Result<void> writeDepfile(const fs::path& depfile, const std::vector<fs::path>& targets,
+                          const std::vector<fs::path>& inputs, const Pack& pack,
                           const std::vector<Product>& products) {
     std::set<std::string> dependencies{makePath(pack.file())};
+    for (const fs::path& file : inputs)
+        dependencies.insert(makePath(file));
     for (const Product& product : products)
-        for (const fs::path& file : product.compiled.dependencies) dependencies.insert(makePath(file));
+        for (const fs::path& file : product.compiled.dependencies)
+            dependencies.insert(makePath(file));
     std::string text;
-    for (const auto& [path, bytes] : files) text += (text.empty() ? "" : " ") + makePath(out / path);
+    for (const fs::path& target : targets)
+        text += (text.empty() ? "" : " ") + makePath(target);
     text += ":";
-    for (const std::string& file : dependencies) text += " \\\n  " + file;
+    for (const std::string& file : dependencies)
+        text += " \\\n  " + file;
     return writeWhole(depfile, text + "\n");
+}
+
+std::vector<std::string> missingTargets(const std::vector<Product>& products,
+                                        const std::set<Target>& targets) {
+    std::vector<std::string> missing;
+    for (const auto& [job, compiled] : products) {
+        const auto note = [&](Target target, const std::string& reason) {
+            if (targets.contains(target) && !reason.empty())
+                missing.push_back("there is no " + outputPath(job, target).string() + ": " + reason);
+        };
+        note(Target::glsl450, compiled.glsl450 ? "" : compiled.glsl450Reason);
+        note(Target::glslEs, compiled.glslEs ? "" : compiled.glslEsReason);
+    }
+    return missing;
 }
 
 } // namespace reprisec

@@ -7,7 +7,7 @@
 namespace reprisec {
 
 struct Job {
-    Variant variant;   // as forStage gives it
+    Variant variant; // as forStage gives it
     Stage stage;
 };
 
@@ -24,6 +24,8 @@ using Files = std::map<fs::path, std::string>;
 // Every committed variant of `pass`, or of all passes if it is empty, in each of its stages.
 std::vector<Job> committedJobs(const Pack& pack, std::string_view pass);
 std::vector<Job> jobsOf(const Variant& variant, std::optional<Stage> stage);
+// needs.cpp: the modules that the plan of a scene uses.
+Result<std::vector<Job>> jobsForNeeds(const Pack& pack, const fs::path& needsToml);
 fs::path outputPath(const Job& job, Target target);
 
 // `progress` is called from one thread at a time with the number done. All errors come back, one a line.
@@ -40,7 +42,13 @@ Result<size_t> writeFiles(const fs::path& out, const Files& files);
 std::vector<fs::path> superfluousFiles(const fs::path& out, const Files& files);
 // One sentence for each file that differs, is missing or is superfluous.
 std::vector<std::string> compareFiles(const fs::path& out, const Files& files);
-Result<void> writeDepfile(const fs::path& depfile, const fs::path& out, const Files& files, const Pack& pack,
+// A makefile rule: `targets` depend on the table, on `inputs` and on every file that the products were made
+// from.
+Result<void> writeDepfile(const fs::path& depfile, const std::vector<fs::path>& targets,
+                          const std::vector<fs::path>& inputs, const Pack& pack,
                           const std::vector<Product>& products);
+// One sentence for each target asked for that a product does not have.
+std::vector<std::string> missingTargets(const std::vector<Product>& products,
+                                        const std::set<Target>& targets);
 
 } // namespace reprisec

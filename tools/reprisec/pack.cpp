@@ -6,9 +6,13 @@
 
 namespace reprisec {
 
-std::span<const PassInfo> Pack::passes() const { return storage->passes; }
+std::span<const PassInfo> Pack::passes() const {
+    return storage->passes;
+}
 
-const fs::path& Pack::file() const { return storage->file; }
+const fs::path& Pack::file() const {
+    return storage->file;
+}
 
 std::span<const reprise::PresetInfo> Pack::presets(std::string_view pass) const {
     for (size_t i = 0; i < storage->passes.size(); ++i)
@@ -24,14 +28,19 @@ Result<Variant> Pack::preset(std::string_view pass, std::string_view name) const
         known += (known.empty() ? "" : ", ") + std::string(preset.name);
         if (preset.name != name) continue;
         for (const auto& change : preset.switches)
-            if (auto set = reprise::setSwitch(*variant, change.switchName, change.value); !set) return set.error();
+            if (auto set = reprise::setSwitch(*variant, change.switchName, change.value); !set)
+                return set.error();
         return variant;
     }
     return Error{ErrorCode::invalidArgument, "the pass " + std::string(pass) + " has no preset \"" +
-                                                 std::string(name) + "\"; it has: " + (known.empty() ? "none" : known)};
+                                                 std::string(name) +
+                                                 "\"; it has: " + (known.empty() ? "none" : known)};
 }
 
 Result<Variant> Pack::parseVariant(std::string_view name) const {
+    if (name.ends_with("--"))
+        return Error{ErrorCode::invalidArgument,
+                     "the variant name " + std::string(name) + " ends in --; remove it"};
     const auto next = [&name] {
         const size_t end = std::min(name.find("--"), name.size());
         const std::string_view part = name.substr(0, end);

@@ -40,7 +40,8 @@ private:
     static void allow(const toml::table& table, std::initializer_list<std::string_view> keys) {
         for (const auto& [key, value] : table)
             if (std::ranges::find(keys, key.str()) == keys.end())
-                fail(value, "unknown key \"" + std::string(key.str()) + "\"; correct the spelling or remove it");
+                fail(value,
+                     "unknown key \"" + std::string(key.str()) + "\"; correct the spelling or remove it");
     }
     static const toml::node& need(const toml::table& table, std::string_view key) {
         if (const toml::node* node = table.get(key)) return *node;
@@ -75,19 +76,23 @@ private:
     // Absent is empty: [[pass.input]] and the like.
     template <class Visit> static void each(const toml::table& parent, std::string_view key, Visit visit) {
         if (const toml::node* node = parent.get(key))
-            for (const toml::node& item : array(*node)) visit(table(item));
+            for (const toml::node& item : array(*node))
+                visit(table(item));
     }
-    template <size_t count> static void numbers(const toml::table& parent, std::string_view key, uint32_t (&out)[count]) {
+    template <size_t count>
+    static void numbers(const toml::table& parent, std::string_view key, uint32_t (&out)[count]) {
         const toml::node* node = parent.get(key);
         if (!node) return;
         if (array(*node).size() != count) fail(*node, "this must be " + std::to_string(count) + " numbers");
-        for (size_t i = 0; i < count; ++i) out[i] = number(array(*node)[i]);
+        for (size_t i = 0; i < count; ++i)
+            out[i] = number(array(*node)[i]);
     }
 
     Stage stage(const toml::node& node);
     std::span<const Stage> stages(const toml::table& parent);
     std::vector<std::string_view> textList(const toml::table& parent, std::string_view key);
-    std::span<const Condition> conditions(const toml::table& parent, std::string_view key, const PassInfo& pass);
+    std::span<const Condition> conditions(const toml::table& parent, std::string_view key,
+                                          const PassInfo& pass);
     SwitchInfo readSwitch(const toml::table& table);
     ImageInfo readImage(const toml::table& table, const PassInfo& pass);
     void readInput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
@@ -109,18 +114,21 @@ Stage Reader::stage(const toml::node& node) {
 
 std::span<const Stage> Reader::stages(const toml::table& parent) {
     auto& list = storage_.stageLists.emplace_back();
-    for (const toml::node& node : array(need(parent, "stages"))) list.push_back(stage(node));
+    for (const toml::node& node : array(need(parent, "stages")))
+        list.push_back(stage(node));
     return list;
 }
 
 std::vector<std::string_view> Reader::textList(const toml::table& parent, std::string_view key) {
     std::vector<std::string_view> list;
-    for (const toml::node& node : array(need(parent, key))) list.push_back(keep(as<std::string>(node, "a string")));
+    for (const toml::node& node : array(need(parent, key)))
+        list.push_back(keep(as<std::string>(node, "a string")));
     return list;
 }
 
 // { SWITCH = "value" }, checked against the switches of the pass.
-std::span<const Condition> Reader::conditions(const toml::table& parent, std::string_view key, const PassInfo& pass) {
+std::span<const Condition> Reader::conditions(const toml::table& parent, std::string_view key,
+                                              const PassInfo& pass) {
     if (!parent.contains(key)) return {};
     auto& list = storage_.conditionLists.emplace_back();
     for (const auto& [name, value] : table(need(parent, key))) {
@@ -169,27 +177,32 @@ void Reader::addBinding(const toml::table& table, std::vector<BindingInfo>& bind
     for (const BindingInfo& other : bindings)
         if (other.binding == binding.binding || other.name == binding.name)
             fail(table, std::string(binding.name) + " and " + std::string(other.name) +
-                            " share a name or the binding " + std::to_string(binding.binding) + "; change one");
+                            " share a name or the binding " + std::to_string(binding.binding) +
+                            "; change one");
     bindings.push_back(binding);
 }
 
 void Reader::readInput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
                        std::vector<BindingInfo>& bindings) {
-    allow(table, {"name", "binding", "filter", "kind", "space", "format", "scale", "when", "history", "same_as"});
+    allow(table,
+          {"name", "binding", "filter", "kind", "space", "format", "scale", "when", "history", "same_as"});
     const ImageInfo image = readImage(table, pass);
     images.push_back(image);
     const uint32_t binding = number(need(table, "binding"));
     if (const auto kind = textOr(table, "kind"); !kind.empty()) {
-        if (kind != "structured") fail(need(table, "kind"), "the only kind besides a texture is \"structured\"");
+        if (kind != "structured")
+            fail(need(table, "kind"), "the only kind besides a texture is \"structured\"");
         addBinding(table, bindings, {image.name, binding, BindingKind::storageBuffer});
         return;
     }
     addBinding(table, bindings, {image.name, binding, BindingKind::sampledImage});
-    if (!table.contains("filter")) return;   // fetched only
+    if (!table.contains("filter")) return; // fetched only
     const auto filter = text(table, "filter");
-    if (filter != "point" && filter != "linear") fail(need(table, "filter"), "a filter is \"point\" or \"linear\"");
-    addBinding(table, bindings, {keep(std::string(image.name) + "_sampler"), binding + samplerOffset,
-                                 filter == "point" ? BindingKind::pointSampler : BindingKind::linearSampler});
+    if (filter != "point" && filter != "linear")
+        fail(need(table, "filter"), "a filter is \"point\" or \"linear\"");
+    addBinding(table, bindings,
+               {keep(std::string(image.name) + "_sampler"), binding + samplerOffset,
+                filter == "point" ? BindingKind::pointSampler : BindingKind::linearSampler});
 }
 
 void Reader::readOutput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
@@ -223,16 +236,20 @@ void Reader::readPass(const toml::table& table) {
     auto& bindings = storage_.bindingLists.emplace_back();
     PassSource source{(storage_.file.parent_path() / std::string(text(table, "file"))).lexically_normal(),
                       std::string(textOr(table, "parameters"))};
-    if (!source.parameters.empty()) bindings.push_back({keep(source.parameters), 0, BindingKind::uniformBuffer});
+    if (!source.parameters.empty())
+        bindings.push_back({keep(source.parameters), 0, BindingKind::uniformBuffer});
     auto& inputs = storage_.imageLists.emplace_back();
     each(table, "input", [&](const toml::table& item) { readInput(item, pass, inputs, bindings); });
     auto& outputs = storage_.imageLists.emplace_back();
     each(table, "output", [&](const toml::table& item) { readOutput(item, pass, outputs, bindings); });
     for (const ImageInfo& input : inputs)
-        if (!input.history.empty() && std::ranges::find(outputs, input.history, &ImageInfo::name) == outputs.end())
-            fail(table, "the history of " + std::string(input.name) + " is no output of the pass; correct it");
+        if (!input.history.empty() &&
+            std::ranges::find(outputs, input.history, &ImageInfo::name) == outputs.end())
+            fail(table,
+                 "the history of " + std::string(input.name) + " is no output of the pass; correct it");
     for (const ImageInfo& input : inputs)
-        if (!input.sameAs.empty() && std::ranges::find(inputs, input.sameAs, &ImageInfo::name) == inputs.end())
+        if (!input.sameAs.empty() &&
+            std::ranges::find(inputs, input.sameAs, &ImageInfo::name) == inputs.end())
             fail(table, "the same_as of " + std::string(input.name) + " is no input of the pass; correct it");
     std::ranges::sort(bindings, {}, &BindingInfo::binding);
     pass.inputs = inputs;
@@ -249,7 +266,8 @@ void Reader::readPreset(const toml::table& table) {
     const auto pass = std::ranges::find(storage_.passes, passName, &PassInfo::name);
     if (pass == storage_.passes.end()) fail(need(table, "pass"), "there is no pass " + std::string(passName));
     auto& presets = storage_.presets[static_cast<size_t>(pass - storage_.passes.begin())];
-    const PresetInfo preset{text(table, "name"), textOr(table, "summary"), conditions(table, "switches", *pass)};
+    const PresetInfo preset{text(table, "name"), textOr(table, "summary"),
+                            conditions(table, "switches", *pass)};
     if (std::ranges::find(presets, preset.name, &PresetInfo::name) != presets.end())
         fail(table, "the pass " + std::string(passName) + " has two presets of this name; rename one");
     presets.push_back(preset);

@@ -18,17 +18,29 @@ namespace sx = spirv_cross;
 std::string typeName(const sx::SPIRType& type) {
     std::string name;
     switch (type.basetype) {
-    case sx::SPIRType::Float: name = "float"; break;
-    case sx::SPIRType::Int: name = "int"; break;
-    case sx::SPIRType::UInt: name = "uint"; break;
-    case sx::SPIRType::Boolean: name = "bool"; break;
-    default: return "unknown";
+    case sx::SPIRType::Float:
+        name = "float";
+        break;
+    case sx::SPIRType::Int:
+        name = "int";
+        break;
+    case sx::SPIRType::UInt:
+        name = "uint";
+        break;
+    case sx::SPIRType::Boolean:
+        name = "bool";
+        break;
+    default:
+        return "unknown";
     }
     // SPIRV-Cross sees HLSL's row_major matrix as its transposed one; the name is the HLSL one.
-    if (type.columns > 1) name += std::to_string(type.columns) + "x" + std::to_string(type.vecsize);
-    else if (type.vecsize > 1) name += std::to_string(type.vecsize);
+    if (type.columns > 1)
+        name += std::to_string(type.columns) + "x" + std::to_string(type.vecsize);
+    else if (type.vecsize > 1)
+        name += std::to_string(type.vecsize);
     // The outermost dimension is the last.
-    for (size_t i = type.array.size(); i > 0; --i) name += "[" + std::to_string(type.array[i - 1]) + "]";
+    for (size_t i = type.array.size(); i > 0; --i)
+        name += "[" + std::to_string(type.array[i - 1]) + "]";
     return name;
 }
 
@@ -52,18 +64,19 @@ struct UseCounter {
     std::map<uint32_t, uint32_t> origin;
 
     BindingUse* use(uint32_t id) const {
-        for (auto step = origin.find(id); step != origin.end(); step = origin.find(id)) id = step->second;
+        for (auto step = origin.find(id); step != origin.end(); step = origin.find(id))
+            id = step->second;
         const auto found = variables.find(id);
         return found == variables.end() ? nullptr : found->second;
     }
-    void count(uint32_t id, uint32_t BindingUse::* member) const {
+    void count(uint32_t id, uint32_t BindingUse::*member) const {
         if (BindingUse* found = use(id)) ++(found->*member);
     }
-    void countSampled(uint32_t id, uint32_t BindingUse::* member) {
+    void countSampled(uint32_t id, uint32_t BindingUse::*member) {
         count(id, member);
         if (const auto sampler = samplers.find(id); sampler != samplers.end()) count(sampler->second, member);
     }
-    std::map<uint32_t, uint32_t> samplers;   // of a sampled image
+    std::map<uint32_t, uint32_t> samplers; // of a sampled image
 };
 
 bool isGather(uint32_t op) {
@@ -83,7 +96,8 @@ void countInstruction(const Instruction& each, UseCounter& counter) {
     if (each.opcode == spv::OpSampledImage) counter.samplers[w[2]] = w[4];
     if (isSample(each.opcode)) counter.countSampled(w[3], &BindingUse::samples);
     if (isGather(each.opcode)) counter.countSampled(w[3], &BindingUse::gathers);
-    if (each.opcode == spv::OpImageFetch || each.opcode == spv::OpImageRead) counter.count(w[3], &BindingUse::fetches);
+    if (each.opcode == spv::OpImageFetch || each.opcode == spv::OpImageRead)
+        counter.count(w[3], &BindingUse::fetches);
     if (each.opcode == spv::OpImageWrite) counter.count(w[1], &BindingUse::stores);
     // Of buffers only structured ones are counted; a parameter is no read from memory worth the name.
     if (each.opcode == spv::OpLoad)
@@ -95,15 +109,15 @@ void countInstruction(const Instruction& each, UseCounter& counter) {
     }
 }
 
-void addBindings(const sx::Compiler& compiler, const sx::SmallVector<sx::Resource>& resources, BindingKind kind,
-                 std::vector<std::pair<uint32_t, BindingUse>>& found) {
+void addBindings(const sx::Compiler& compiler, const sx::SmallVector<sx::Resource>& resources,
+                 BindingKind kind, std::vector<std::pair<uint32_t, BindingUse>>& found) {
     for (const sx::Resource& each : resources) {
         BindingUse use;
         use.name = compiler.get_name(each.id);
         // A cbuffer has no variable name; its block has.
         if (use.name.empty() || kind == BindingKind::uniformBuffer) use.name = each.name;
         use.binding = compiler.get_decoration(each.id, spv::DecorationBinding);
-        use.kind = kind;   // of a sampler the table knows the filter, the module does not
+        use.kind = kind; // of a sampler the table knows the filter, the module does not
         found.emplace_back(each.id, std::move(use));
     }
 }
@@ -130,9 +144,11 @@ Result<Reflection> reflectModule(const Words& module, Stage stage) {
     addBindings(compiler, resources.storage_images, BindingKind::storageImage, found);
     addBindings(compiler, resources.storage_buffers, BindingKind::storageBuffer, found);
     UseCounter counter;
-    for (auto& [id, use] : found) counter.variables[id] = &use;
+    for (auto& [id, use] : found)
+        counter.variables[id] = &use;
     forEachInstruction(module, [&](const Instruction& each) { countInstruction(each, counter); });
-    for (auto& [id, use] : found) result.bindings.push_back(use);
+    for (auto& [id, use] : found)
+        result.bindings.push_back(use);
     std::ranges::sort(result.bindings, {}, &BindingUse::binding);
     if (auto checked = checkDistinct(result.bindings); !checked) return checked.error();
     for (const auto& block : resources.uniform_buffers)
@@ -141,7 +157,8 @@ Result<Reflection> reflectModule(const Words& module, Stage stage) {
     if (stage == Stage::compute)
         for (uint32_t i = 0; i < 3; ++i)
             result.threads[i] = compiler.get_execution_mode_argument(spv::ExecutionModeLocalSize, i);
-    if (stage == Stage::fragment) result.colourOutputs = static_cast<uint32_t>(resources.stage_outputs.size());
+    if (stage == Stage::fragment)
+        result.colourOutputs = static_cast<uint32_t>(resources.stage_outputs.size());
     return result;
 }
 

@@ -81,6 +81,7 @@ struct Source {
     std::map<std::string, int> defines;
     std::vector<std::filesystem::path> includeDirectories;
 };
-Result<Compiled> compileSource(const Source& source, const Options& options = {.glsl = false, .platformSwitches = {}});
+Result<Compiled> compileSource(const Source& source,
+                               const Options& options = {.glsl = false, .platformSwitches = {}});
 
 } // namespace reprisec

@@ -34,7 +34,9 @@ Words rewrite(const Words& module, const std::function<void(const Instruction&, 
     return result;
 }
 
-void keep(const Instruction& each, Words& out) { out.insert(out.end(), each.words.begin(), each.words.end()); }
+void keep(const Instruction& each, Words& out) {
+    out.insert(out.end(), each.words.begin(), each.words.end());
+}
 
 // OpTypeImage: result, sampled type, dim, depth, arrayed, ms, sampled, format.
 bool isStorageImageType(const Instruction& each) {
@@ -65,7 +67,7 @@ void noteUse(const Instruction& each, StorageImages& found) {
         found.variableOfLoad[each.words[2]] = each.words[3];
     if (each.opcode == spv::OpImageWrite) found.written.insert(variable(each.words[1]));
     if (each.opcode == spv::OpImageRead) found.read.insert(variable(each.words[3]));
-    if (each.opcode == spv::OpImageTexelPointer) {   // atomics do both
+    if (each.opcode == spv::OpImageTexelPointer) { // atomics do both
         found.read.insert(each.words[3]);
         found.written.insert(each.words[3]);
     }
@@ -149,7 +151,8 @@ Words withStorageAccess(const Words& module) {
         if (type && !std::exchange(decorated, true))
             for (const auto& [id, variable] : images.variables) {
                 if (!images.read.contains(id)) append(out, spv::OpDecorate, {id, spv::DecorationNonReadable});
-                if (!images.written.contains(id)) append(out, spv::OpDecorate, {id, spv::DecorationNonWritable});
+                if (!images.written.contains(id))
+                    append(out, spv::OpDecorate, {id, spv::DecorationNonWritable});
             }
         keep(each, out);
     });
@@ -160,7 +163,7 @@ Words withoutDebugNames(const Words& module) {
     return rewrite(module, [&](const Instruction& each, Words& out) {
         switch (each.opcode) {
         case spv::OpName:
-            if (each.words[2] == 0) return;   // glslang names the instance of a cbuffer ""
+            if (each.words[2] == 0) return; // glslang names the instance of a cbuffer ""
             [[fallthrough]];
         case spv::OpMemberName:
             if (named.contains(each.words[1])) keep(each, out);
@@ -171,8 +174,10 @@ Words withoutDebugNames(const Words& module) {
         case spv::OpString:
         case spv::OpLine:
         case spv::OpNoLine:
-        case spv::OpModuleProcessed: return;
-        default: keep(each, out);
+        case spv::OpModuleProcessed:
+            return;
+        default:
+            keep(each, out);
         }
     });
 }

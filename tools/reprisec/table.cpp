@@ -14,35 +14,47 @@ std::string literal(std::string_view text) {
     std::string result = "\"";
     for (char c : text) {
         if (c == '"' || c == '\\') result += '\\';
-        if (c == '\n') result += "\\n";
-        else result += c;
+        if (c == '\n')
+            result += "\\n";
+        else
+            result += c;
     }
     return result + "\"";
 }
 
-std::string number(uint64_t value) { return std::to_string(value); }
+std::string number(uint64_t value) {
+    return std::to_string(value);
+}
 
 std::string_view kindName(BindingKind kind) {
     switch (kind) {
-    case BindingKind::sampledImage: return "BindingKind::sampledImage";
-    case BindingKind::pointSampler: return "BindingKind::pointSampler";
-    case BindingKind::linearSampler: return "BindingKind::linearSampler";
-    case BindingKind::storageImage: return "BindingKind::storageImage";
-    case BindingKind::uniformBuffer: return "BindingKind::uniformBuffer";
-    case BindingKind::storageBuffer: break;
+    case BindingKind::sampledImage:
+        return "BindingKind::sampledImage";
+    case BindingKind::pointSampler:
+        return "BindingKind::pointSampler";
+    case BindingKind::linearSampler:
+        return "BindingKind::linearSampler";
+    case BindingKind::storageImage:
+        return "BindingKind::storageImage";
+    case BindingKind::uniformBuffer:
+        return "BindingKind::uniformBuffer";
+    case BindingKind::storageBuffer:
+        break;
     }
     return "BindingKind::storageBuffer";
 }
 
-std::string stageValue(Stage stage) { return "Stage::" + std::string(stageWord(stage)); }
+std::string stageValue(Stage stage) {
+    return "Stage::" + std::string(stageWord(stage));
+}
 
 // Arrays of the generated namespace; an array without elements is not C++, and its name is {}.
 class Arrays {
 public:
     std::string text;
 
-    std::string add(const std::string& type, const std::string& name, const std::vector<std::string>& elements,
-                    bool oneLine = false) {
+    std::string add(const std::string& type, const std::string& name,
+                    const std::vector<std::string>& elements, bool oneLine = false) {
         if (elements.empty()) return "{}";
         text += "inline constexpr " + type + " " + name + "[] = {";
         for (size_t i = 0; i < elements.size(); ++i)
@@ -54,11 +66,13 @@ public:
 
 std::string addStages(Arrays& arrays, const std::string& name, std::span<const Stage> stages) {
     std::vector<std::string> elements;
-    for (Stage stage : stages) elements.push_back(stageValue(stage));
+    for (Stage stage : stages)
+        elements.push_back(stageValue(stage));
     return arrays.add("Stage", name, elements, true);
 }
 
-std::string addConditions(Arrays& arrays, const std::string& name, std::span<const reprise::Condition> conditions) {
+std::string addConditions(Arrays& arrays, const std::string& name,
+                          std::span<const reprise::Condition> conditions) {
     std::vector<std::string> elements;
     for (const auto& each : conditions)
         elements.push_back("{" + literal(each.switchName) + ", " + literal(each.value) + "}");
@@ -70,11 +84,13 @@ std::string addSwitches(Arrays& arrays, const std::string& pass, const PassInfo&
     for (const auto& each : info.switches) {
         const std::string name = pass + "_" + std::string(each.name);
         std::vector<std::string> values;
-        for (std::string_view value : each.values) values.push_back(literal(value));
+        for (std::string_view value : each.values)
+            values.push_back(literal(value));
         const std::string valuesName = arrays.add("std::string_view", name + "_values", values, true);
         const std::string stagesName = addStages(arrays, name + "_stages", each.stages);
-        elements.push_back("{" + literal(each.name) + ", " + valuesName + ", " + number(each.defaultValue) + ", " +
-                           literal(each.need) + ",\n     " + literal(each.summary) + ", " + stagesName + "}");
+        elements.push_back("{" + literal(each.name) + ", " + valuesName + ", " + number(each.defaultValue) +
+                           ", " + literal(each.need) + ",\n     " + literal(each.summary) + ", " +
+                           stagesName + "}");
     }
     return arrays.add("SwitchInfo", pass + "_switches", elements);
 }
@@ -83,10 +99,11 @@ std::string addImages(Arrays& arrays, const std::string& pass, const char* what,
                       std::span<const reprise::ImageInfo> images) {
     std::vector<std::string> elements;
     for (const auto& each : images) {
-        const std::string when = addConditions(arrays, pass + "_" + std::string(each.name) + "_when", each.when);
-        elements.push_back("{" + literal(each.name) + ", " + literal(each.space) + ", " + literal(each.format) + ", " +
-                           std::to_string(each.scale) + "f, " + literal(each.history) + ", " + when + ",\n     " +
-                           literal(each.sameAs) + "}");
+        const std::string when =
+            addConditions(arrays, pass + "_" + std::string(each.name) + "_when", each.when);
+        elements.push_back("{" + literal(each.name) + ", " + literal(each.space) + ", " +
+                           literal(each.format) + ", " + std::to_string(each.scale) + "f, " +
+                           literal(each.history) + ", " + when + ",\n     " + literal(each.sameAs) + "}");
     }
     return arrays.add("ImageInfo", pass + "_" + what, elements);
 }
@@ -106,11 +123,12 @@ std::string passElement(Arrays& arrays, const PassInfo& info, uint32_t parameter
     const std::string bindings = addBindings(arrays, pass, info);
     const std::string inputs = addImages(arrays, pass, "inputs", info.inputs);
     const std::string outputs = addImages(arrays, pass, "outputs", info.outputs);
-    return "{" + literal(info.name) + ", " + literal(info.summary) + ",\n     " + literal(info.source) + ", " + stages +
-           ", " + (info.fullscreen ? "true" : "false") + ",\n     {" + number(info.threads[0]) + ", " +
-           number(info.threads[1]) + ", " + number(info.threads[2]) + "}, {" + number(info.pixelsPerThread[0]) +
-           ", " + number(info.pixelsPerThread[1]) + "}, " + number(parameterBytes) + ", " + switches + ",\n     " +
-           bindings + ", " + inputs + ", " + outputs + "}";
+    return "{" + literal(info.name) + ", " + literal(info.summary) + ",\n     " + literal(info.source) +
+           ", " + stages + ", " + (info.fullscreen ? "true" : "false") + ",\n     {" +
+           number(info.threads[0]) + ", " + number(info.threads[1]) + ", " + number(info.threads[2]) +
+           "}, {" + number(info.pixelsPerThread[0]) + ", " + number(info.pixelsPerThread[1]) + "}, " +
+           number(parameterBytes) + ", " + switches + ",\n     " + bindings + ", " + inputs + ", " + outputs +
+           "}";
 }
 
 std::string addPresets(Arrays& arrays, const Pack& pack, const PassInfo& info) {
@@ -127,9 +145,9 @@ std::string addModules(Arrays& arrays, const PassInfo& info, const std::vector<P
     std::vector<std::string> elements;
     for (const auto& [job, compiled] : products)
         if (job.variant.pass->name == info.name)
-            elements.push_back("{" + literal(reprise::variantName(job.variant)) + ", " + stageValue(job.stage) +
-                               ",\n     " + literal(compiled.glsl450Reason) + ", " + literal(compiled.glslEsReason) +
-                               "}");
+            elements.push_back("{" + literal(reprise::variantName(job.variant)) + ", " +
+                               stageValue(job.stage) + ",\n     " + literal(compiled.glsl450Reason) + ", " +
+                               literal(compiled.glslEsReason) + "}");
     return arrays.add("PackModule", std::string(info.name) + "_modules", elements);
 }
 
@@ -147,8 +165,8 @@ Result<Reflection> parametersOf(const PassInfo& info, const std::vector<Product>
             merged = each;
             first = reprise::variantName(job.variant);
         } else if (!std::ranges::equal(merged.parameters, each.parameters, same)) {
-            return badShader("the parameters of " + reprise::variantName(job.variant) + " are laid out otherwise than in " +
-                             first + "; declare them outside #if");
+            return badShader("the parameters of " + reprise::variantName(job.variant) +
+                             " are laid out otherwise than in " + first + "; declare them outside #if");
         }
     }
     return merged;
@@ -157,13 +175,15 @@ Result<Reflection> parametersOf(const PassInfo& info, const std::vector<Product>
 // "float4x4" as an array of scalars; an HLSL array has elements of 16 bytes, so its bytes count.
 Result<std::string> memberDeclaration(const ParameterMember& member) {
     std::string scalar;
-    for (const auto& [hlsl, cpp] : {std::pair{"float", "float"}, {"uint", "uint32_t"}, {"int", "int32_t"}, {"bool", "uint32_t"}})
+    for (const auto& [hlsl, cpp] :
+         {std::pair{"float", "float"}, {"uint", "uint32_t"}, {"int", "int32_t"}, {"bool", "uint32_t"}})
         if (member.type.starts_with(hlsl)) {
             scalar = cpp;
             break;
         }
     if (scalar.empty())
-        return badShader("the parameter " + member.name + " is of a type that C++ has no counterpart for; use "
+        return badShader("the parameter " + member.name +
+                         " is of a type that C++ has no counterpart for; use "
                          "float, int or uint scalars, vectors and matrices");
     const uint32_t count = member.bytes / 4;
     return scalar + " " + member.name + (count > 1 ? "[" + number(count) + "]" : "") + ";";
@@ -179,8 +199,10 @@ Result<std::string> parameterStruct(const std::string& name, const Reflection& r
         pad(member.offset);
         auto declared = memberDeclaration(member);
         if (!declared) return declared;
-        body += "    " + *declared + (declared->find('[') == std::string::npos ? "" : "   // " + member.type) + "\n";
-        asserts += "static_assert(offsetof(" + name + ", " + member.name + ") == " + number(member.offset) + ");\n";
+        body += "    " + *declared +
+                (declared->find('[') == std::string::npos ? "" : "   // " + member.type) + "\n";
+        asserts +=
+            "static_assert(offsetof(" + name + ", " + member.name + ") == " + number(member.offset) + ");\n";
         at = member.offset + member.bytes;
     }
     pad(reflection.parameterBytes);
@@ -201,7 +223,8 @@ std::string lookup(const std::string& type, const std::string& function, const s
     std::string text = "// " + comment + "\ninline std::span<const " + type + "> " + function +
                        "([[maybe_unused]] std::string_view pass) {\n";
     for (const auto& [pass, array] : arrays)
-        if (array != "{}") text += "    if (pass == " + literal(pass) + ") return generated::" + array + ";\n";
+        if (array != "{}")
+            text += "    if (pass == " + literal(pass) + ") return generated::" + array + ";\n";
     return text + "    return {};\n}\n";
 }
 
@@ -251,7 +274,8 @@ Result<std::string> tableHeader(const Pack& pack, const std::vector<Product>& pr
            "// Every pass, in the order of pack.toml.\n"
            "inline std::span<const PassInfo> packPasses() { return generated::passes; }\n" +
            lookup("PresetInfo", "packPresets", "The named presets of a pass.", presets) +
-           lookup("PackModule", "packModules", "The committed modules of a pass.", modules) + "\n} // namespace reprise\n";
+           lookup("PackModule", "packModules", "The committed modules of a pass.", modules) +
+           "\n} // namespace reprise\n";
 }
 
 } // namespace reprisec

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// needs.toml: what a scene asks for, in the words of reprise/plan.hpp, and the modules that its plan uses.
+#include "output.hpp"
+
+#include "reprise/plan.hpp"
+
+#include <algorithm>
+
+#include <toml++/toml.h>
+
+namespace reprisec {
+
+namespace {
+
+using reprise::SceneNeeds;
+
+struct Scene {
+    SceneNeeds needs;
+    reprise::Settings settings;
+    std::deque<std::string> texts; // what the views in `settings` point to
+};
+
+const std::map<std::string_view, bool SceneNeeds::*>& needFields() {
+    static const std::map<std::string_view, bool SceneNeeds::*> fields{
+        {"antiAliasing", &SceneNeeds::antiAliasing},
+        {"cameraMoves", &SceneNeeds::cameraMoves},
+        {"objectsMove", &SceneNeeds::objectsMove},
+        {"skinnedMeshes", &SceneNeeds::skinnedMeshes},
+        {"engineWritesMotion", &SceneNeeds::engineWritesMotion},
+        {"hdr", &SceneNeeds::hdr},
+        {"fastMotion", &SceneNeeds::fastMotion},
+        {"reversedDepth", &SceneNeeds::reversedDepth},
+        {"orthographic", &SceneNeeds::orthographic},
+        {"linearDepth", &SceneNeeds::linearDepth}};
+    return fields;
+}
+
+// Thrown while reading, caught in readScene.
+struct Mistake {
+    uint32_t line;
+    std::string message;
+};
+
+[[noreturn]] void fail(const toml::node& node, std::string message) {
+    throw Mistake{static_cast<uint32_t>(node.source().begin.line), std::move(message)};
+}
+
+std::string_view text(Scene& scene, const toml::node& node) {
+    if (const auto value = node.value_exact<std::string>()) return scene.texts.emplace_back(*value);
+    fail(node, "this must be a string");
+}
+
+const toml::table& table(const toml::node& node) {
+    if (const toml::table* found = node.as_table()) return *found;
+    fail(node, "this must be a table");
+}
+
+void readNeed(Scene& scene, const toml::key& key, const toml::node& value) {
+    const auto field = needFields().find(key.str());
+    if (field == needFields().end()) {
+        std::string known;
+        for (const auto& [name, member] : needFields())
+            known += (known.empty() ? "" : ", ") + std::string(name);
+        fail(value, "there is no need \"" + std::string(key.str()) + "\"; there are: " + known);
+    }
+    const auto flag = value.value_exact<bool>();
+    if (!flag) fail(value, "a need is true or false");
+    scene.needs.*field->second = *flag;
+}
+
+void readSetting(Scene& scene, const toml::key& key, const toml::node& value) {
+    if (key == "stage") {
+        const auto name = text(scene, value);
+        if (name != "fragment" && name != "compute") fail(value, "the stage is \"fragment\" or \"compute\"");
+        scene.settings.stage = name == "compute" ? Stage::compute : Stage::fragment;
+    } else if (key == "preset") {
+        scene.settings.preset = text(scene, value);
+    } else if (key == "colourFormat") {
+        scene.settings.colourFormat = text(scene, value);
+    } else if (key == "overrides") {
+        for (const auto& [name, wanted] : table(value)) {
+            const std::string_view switchName = scene.texts.emplace_back(name.str());
+            scene.settings.overrides.push_back({switchName, text(scene, wanted)});
+        }
+    } else {
+        fail(value, "there is no setting \"" + std::string(key.str()) +
+                        "\"; there are: stage, preset, colourFormat, overrides");
+    }
+}
+
+Result<void> readScene(const fs::path& file, Scene& scene) {
+    auto content = readText(file);
+    if (!content) return content.error();
+    const auto located = [&](uint32_t line, std::string_view message) {
+        return Error{ErrorCode::invalidArgument,
+                     file.string() + ":" + std::to_string(line) + ": " + std::string(message)};
+    };
+    try {
+        const toml::table root = toml::parse(*content, file.string());
+        for (const auto& [section, node] : root) {
+            if (section != "needs" && section != "settings")
+                fail(node, "only [needs] and [settings] are known here");
+            for (const auto& [key, value] : table(node))
+                section == "needs" ? readNeed(scene, key, value) : readSetting(scene, key, value);
+        }
+    } catch (const toml::parse_error& error) {
+        return located(error.source().begin.line, error.description());
+    } catch (const Mistake& mistake) {
+        return located(mistake.line, mistake.message);
+    }
+    return {};
+}
+
+void add(std::vector<Job>& jobs, const Variant& variant, Stage stage) {
+    const Job job{reprise::forStage(variant, stage), stage};
+    const auto same = [&](const Job& each) {
+        return outputPath(each, Target::spirv) == outputPath(job, Target::spirv);
+    };
+    if (std::ranges::none_of(jobs, same)) jobs.push_back(job);
+}
+
+} // namespace
+
+Result<std::vector<Job>> jobsForNeeds(const Pack& pack, const fs::path& needsToml) {
+    Scene scene;
+    if (auto read = readScene(needsToml, scene); !read) return read.error();
+    // Which modules there are does not depend on the extent.
+    auto plan =
+        reprise::plan(pack.passes(), pack.presets("temporal_aa"), scene.needs, scene.settings, {64, 64});
+    if (!plan) return Error{plan.error().code, needsToml.string() + ":1: " + plan.error().message};
+    std::vector<Job> jobs;
+    for (const reprise::PlannedPass& planned : plan->passes) {
+        const auto& stages = planned.variant.pass->stages;
+        add(jobs, planned.variant, planned.stage);
+        if (planned.stage != Stage::fragment) continue;
+        if (std::ranges::find(stages, Stage::vertex) != stages.end()) {
+            add(jobs, planned.variant, Stage::vertex);
+        } else {
+            auto triangle = reprise::makeVariant(pack.passes(), "fullscreen");
+            if (!triangle) return triangle.error();
+            add(jobs, *triangle, Stage::vertex);
+        }
+    }
+    return jobs;
+}
+
+} // namespace reprisec

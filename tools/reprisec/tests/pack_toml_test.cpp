@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pack::load: what pack.toml may say, and where it is wrong.
+#include "small_pack.hpp"
+
+namespace {
+
+// The message of a table in which `from` became `to`.
+std::string complaint(const fs::path& folder, std::string from, const std::string& to) {
+    std::string text = smallTable;
+    const size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    writeText(folder / "pack.toml", text.replace(at, from.size(), to));
+    const auto pack = reprisec::Pack::load(folder / "pack.toml");
+    return pack ? "it succeeded" : pack.error().message.substr(folder.string().size() + 1);
+}
+
+} // namespace
+
+TEST_F(SmallPack, mistakesInTheTableAreNamedWithTheirLine) {
+    const auto complains = [&](const std::string& from, const std::string& to, const std::string& start) {
+        EXPECT_EQ(complaint(folder, from, to).substr(0, start.size()), start);
+    };
+    complains("filter = \"point\"", "filtre = \"point\"", "pack.toml:26: unknown key \"filtre\"");
+    complains("filter = \"point\"", "filter = \"nearest\"", "pack.toml:26: a filter is");
+    complains("default = \"one\"", "default = \"two\"", "pack.toml:17: the default is none of the values");
+    complains("stages = [\"fragment\", \"compute\"]", "stages = [\"pixel\"]",
+              "pack.toml:10: \"pixel\" is no stage");
+    complains("binding = 16", "binding = 33", "pack.toml:27: gOutColour and gInColour_sampler share");
+    complains("TAPS = \"nine\"", "TAPS = \"ten\"",
+              "pack.toml:35: the switch TAPS of the pass copy has no value");
+    complains("schema = 1", "schema = 2", "pack.toml:3: this compiler reads schema 1");
+    complains("binding = 1\n", "binding = \"1\"\n", "pack.toml:25: this must be a whole number");
+    complains("name = \"small\"", "name = small", "pack.toml:2: ");
+}
+
+TEST_F(SmallPack, missingTableIsNamed) {
+    const auto pack = reprisec::Pack::load(folder / "none.toml");
+    ASSERT_FALSE(pack);
+    EXPECT_NE(pack.error().message.find("none.toml"), std::string::npos);
+}
+
+TEST_F(SmallPack, committedVariantsAreDefaultsPresetsAndSingleFlips) {
+    const reprisec::Pack pack = load();
+    std::vector<std::string> names;
+    for (const auto& variant : pack.committedVariants(pack.passes()[0]))
+        names.push_back(variantName(variant));
+    const std::vector<std::string> expected{"copy", "copy--taps-nine--fine-on", "copy--taps-nine",
+                                            "copy--taps-gather", "copy--fine-on"};
+    EXPECT_EQ(names, expected);
+}
+
+TEST_F(SmallPack, everyNameIsReadBackAsItsVariant) {
+    const reprisec::Pack pack = load();
+    for (const auto& variant : pack.committedVariants(pack.passes()[0])) {
+        const auto parsed = pack.parseVariant(variantName(variant));
+        ASSERT_TRUE(parsed) << parsed.error().message;
+        EXPECT_EQ(parsed->values, variant.values);
+    }
+    for (const char* wrong : {"", "copy--", "copy--taps", "copy--taps-", "copy---one", "copy--taps-nine--"}) {
+        EXPECT_FALSE(pack.parseVariant(wrong)) << wrong;
+    }
+}
+
+TEST_F(SmallPack, fileNamesLeaveOutSwitchesWithoutEffectInTheStage) {
+    const reprisec::Pack pack = load();
+    const auto preset = pack.preset("copy", "fine");
+    ASSERT_TRUE(preset) << preset.error().message;
+    EXPECT_EQ(spirvFileName(*preset, reprise::Stage::fragment), "copy--taps-nine--fine-on.frag.spv");
+    EXPECT_EQ(spirvFileName(*preset, reprise::Stage::compute), "copy--taps-nine.comp.spv");
+    EXPECT_FALSE(pack.preset("copy", "finest"));
+}
