@@ -3,17 +3,17 @@
 // INSIDE I2 and I3, "Reprojection of static scenes"; Drobot, 7.3. Objects that move are drawn over it by
 // object_velocity.
 //
-// gInDepth      R32F or D32F, device depth in [0,1] (any depth kind), or metres with DEPTH_LINEAR; rendered with
-//               the jitter gJitterUv
-// gOutVelocity  RG16F, UV, currUv - prevUv without jitter; at least 4 where the previous camera did not see the
-//               point, so that the history lookup leaves the image
+// gInDepth      R32F or D32F, device depth in [0,1] (any depth kind), or metres with DEPTH_LINEAR; rendered
+//               with the jitter gJitterUv
+// gOutVelocity  RG16F, UV, currUv - prevUv without jitter; at least 4 where the previous camera did not see
+//               the point, so that the history lookup leaves the image
 
 #include "reprise/conventions.hlsli"
 #include "reprise/platform.hlsli"
 #include "reprise/reprojection.hlsli"
 
 [[vk::binding(0)]] cbuffer CameraVelocityParameters {
-    row_major float4x4 gReprojection;  // NDC and device depth, or view space with DEPTH_LINEAR, to previous clip
+    row_major float4x4 gReprojection;  // NDC and device depth, or view space (DEPTH_LINEAR), to prev clip
     float4 gViewRay;                   // DEPTH_LINEAR: extent and origin of the view rays, see viewPosition()
     float4 gOutputSize;                // width, height, 1 / width, 1 / height
     float2 gJitterUv;                  // of this frame

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Temporal reprojection anti-aliasing: history fetched along the motion, held to the neighbourhood of the current
-// colour, blended, and kept for the next frame. INSIDE I4 to I9, step by step in the talk's order.
+// Temporal reprojection anti-aliasing: history fetched along the motion, held to the neighbourhood of the
+// current colour, blended, and kept for the next frame. INSIDE I4 to I9, step by step in the talk's order.
 //
 // gInColour       linear scene-referred colour, rendered with the jitter gJitterPx
 // gInColourFiltered  the same image, for reads between texels (four taps, motion blur)
@@ -9,8 +9,9 @@
 // gHistoryColour  gOutHistory of the frame before; any content where gHistoryValid is 0
 // gOutHistory     the resolved colour, unjittered; also what is shown, without MOTION_BLUR_FALLBACK
 // gOutColour      what is shown, with MOTION_BLUR_FALLBACK
-// Colours are [0, 65504] in any float or unorm format; NaN, infinity and negatives are read as finite colours, so
-// none reaches an output. Motion that is NaN or leaves the image drops history for that pixel.
+// Colours are [0, 65504] in any float or unorm format; NaN, infinity and negatives are read as finite
+// colours, so none reaches an output. Motion that is NaN or leaves the image drops history for that pixel.
+// Longer than 250 lines: one body with three ways to read the neighbourhood (pixel alone, quad, column).
 
 #include "reprise/closest_fragment.hlsli"
 #include "reprise/colour.hlsli"
@@ -193,9 +194,10 @@ Resolved resolveFourTap(float2 uv, float2 motion) {
 
 #if STAGE_COMPUTE
 
-// --- Compute: a thread resolves a column of pixels. Rows of texels are read once for the pixels above, on and
-// below them, and neighbouring threads read neighbouring texels. (A 2x2 a thread reads as little, but its reads
-// lie two texels apart, which a GPU's texture units serve at half speed; group-shared tiles were slower still.)
+// --- Compute: a thread resolves a column of pixels. Rows of texels are read once for the pixels above, on
+// and below them, and neighbouring threads read neighbouring texels. (A 2x2 a thread reads as little, but its
+// reads lie two texels apart, which a GPU's texture units serve at half speed; group-shared tiles were slower
+// still.)
 
 static const int COLUMN = 4;   // pixels_per_thread of the table
 
@@ -301,7 +303,8 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
 
 #if QUAD_SHARING
 
-// Reads the texel itself and three on the outer side; the other five come from the quad. Mirrored: +1 is outward.
+// Reads the texel itself and three on the outer side; the other five come from the quad. Mirrored: +1 is
+// outward.
 Neighbourhood readNeighbourhood(float2 uv, float2 side) {
     float2 outward = side * gOutputSize.zw;
     Neighbourhood n;

@@ -19,8 +19,8 @@ float2 closestInRow(float left, float centre, float right) {
     return isCloser(side.x, centre) ? side : float2(centre, 0.0);
 }
 
-// Offset in texels, each in {-1, 0, 1}, of the closest of nine. The own row wins against equals, and in it the
-// centre. Row by row: a thread that resolves a column of pixels shares the rows.
+// Offset in texels, each in {-1, 0, 1}, of the closest of nine. The own row wins against equals, and in it
+// the centre. Row by row: a thread that resolves a column of pixels shares the rows.
 float2 closestFragment(DepthSquare d) {
     float2 own = closestInRow(d.left, d.centre, d.right);
     float2 up = closestInRow(d.leftUp, d.up, d.rightUp);

@@ -5,8 +5,8 @@
 
 #include "reprise/conventions.hlsli"
 
-// Makes a colour safe to keep: NaN and negative become 0, infinity and above become MAX_COLOUR. The comparison
-// is false for NaN; max(c, 0) would be undefined for it.
+// Makes a colour safe to keep: NaN and negative become 0, infinity and above become MAX_COLOUR. The
+// comparison is false for NaN; max(c, 0) would be undefined for it.
 float3 sanitize(float3 colour) {
     float3 positive = float3(colour.r > 0.0 ? colour.r : 0.0, colour.g > 0.0 ? colour.g : 0.0,
                              colour.b > 0.0 ? colour.b : 0.0);

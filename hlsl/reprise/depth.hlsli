@@ -3,7 +3,7 @@
 #ifndef REPRISE_DEPTH_HLSLI
 #define REPRISE_DEPTH_HLSLI
 
-// Device depth in [0,1] to linear depth in metres. coefficients are those of reprise::linearDepthCoefficients:
+// Device depth in [0,1] to linear depth in metres. coefficients come from reprise::linearDepthCoefficients:
 // perspective, any depth kind:  linear = 1 / (device · x + y);  orthographic: linear = device · x + y.
 // The far plane of an infinite projection gives infinity in exact arithmetic; here it gives 1e30.
 float linearDepthFromDevice(float deviceDepth, float2 coefficients) {

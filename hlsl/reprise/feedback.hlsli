@@ -7,8 +7,8 @@
 // published implementation's behaviour on dark pixels.
 static const float FEEDBACK_LUMINANCE_FLOOR = 0.2;
 
-// Weight of history in [weightMin, weightMax]: high where the luminance of input and constrained history agree,
-// low where they differ. Luminances are >= 0.
+// Weight of history in [weightMin, weightMax]: high where the luminance of input and constrained history
+// agree, low where they differ. Luminances are >= 0.
 float luminanceFeedback(float currentLuminance, float historyLuminance, float weightMin, float weightMax) {
     float largest = max(max(currentLuminance, historyLuminance), FEEDBACK_LUMINANCE_FLOOR);
     float agreement = 1.0 - abs(currentLuminance - historyLuminance) / largest;

@@ -5,8 +5,8 @@
 
 #include "reprise/neighbourhood.hlsli"
 
-// Below this, a side of a box counts as this long: far under a step of a binary16 history. It keeps 0/0 out of
-// the clip, which the printed form has for a box without extent.
+// Below this, a side of a box counts as this long: far under a step of a binary16 history. It keeps 0/0 out
+// of the clip, which the printed form has for a box without extent.
 static const float MIN_BOX_EXTENT = 1e-7;
 // Turns 0/0 into 1 and is lost in any other sum.
 static const float TINY = 1e-30;

@@ -11,8 +11,8 @@ static const int MOTION_BLUR_TAPS = 3;
 // Share of the frame that the shutter is open: the blur spans this share of the motion.
 static const float MOTION_BLUR_SHUTTER = 0.5;
 
-// 1 where history is shown, 0 where motion blur is: k_trust = invlerp(to, from, |v|), 1 at 2 px and 0 at 15 px.
-// blurToPx > blurFromPx >= 0.
+// 1 where history is shown, 0 where motion blur is: k_trust = invlerp(to, from, |v|), 1 at 2 px and 0 at 15
+// px. blurToPx > blurFromPx >= 0.
 float motionBlurTrust(float motionPx, float blurFromPx, float blurToPx) {
     return saturate((blurToPx - motionPx) / (blurToPx - blurFromPx));
 }

@@ -15,8 +15,8 @@ struct ColourBox {
     float3 minimum, maximum;
 };
 
-// Smallest and largest of centre, left, right, up, down, per channel. Pairs left and right come first: a thread
-// that resolves a column of pixels shares them between rows.
+// Smallest and largest of centre, left, right, up, down, per channel. Pairs left and right come first: a
+// thread that resolves a column of pixels shares them between rows.
 ColourBox boxOfPlus(Neighbourhood n) {
     ColourBox box;
     box.minimum = min(min(min(n.left, n.right), n.centre), min(n.up, n.down));
@@ -50,7 +50,8 @@ ColourBox boxOfVariance(Neighbourhood n) {
     // Moments about the centre texel: about 0 they would cancel in dark detail beside bright.
     float3 square = (n.left - n.centre) * (n.left - n.centre) + (n.right - n.centre) * (n.right - n.centre) +
                     (n.up - n.centre) * (n.up - n.centre) + (n.down - n.centre) * (n.down - n.centre) +
-                    (n.leftUp - n.centre) * (n.leftUp - n.centre) + (n.rightUp - n.centre) * (n.rightUp - n.centre) +
+                    (n.leftUp - n.centre) * (n.leftUp - n.centre) +
+                    (n.rightUp - n.centre) * (n.rightUp - n.centre) +
                     (n.leftDown - n.centre) * (n.leftDown - n.centre) +
                     (n.rightDown - n.centre) * (n.rightDown - n.centre);
     float3 variance = max(square / 9.0 - (mean - n.centre) * (mean - n.centre), 0.0);

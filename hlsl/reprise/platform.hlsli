@@ -4,13 +4,15 @@
 //   TEXTURE_POINT(gInDepth, 2)      a texture in slot 2 that is read with a point filter, clamped to its edge
 //   TEXTURE_LINEAR(gInColour, 1)    the same with a bilinear filter
 //   SAMPLE(gInColour, uv)           float4, mip level 0
-//   SAMPLE_OFFSET(gInColour, uv, texelSize, x, y)   the same, moved by whole texels, x and y constants in [-8, 7]
-//   GATHER_RED(gInDepth, uv)        the four red values around uv: (0,1), (1,1), (1,0), (0,0); only where HAS_GATHER
-//   TEXTURE_PARAMETER(colour)       a texture as parameter of a function, TEXTURE_ARGUMENT(gInColour) at the call
+//   SAMPLE_OFFSET(gInColour, uv, texelSize, x, y)   the same, moved by whole texels, constants in [-8, 7]
+//   GATHER_RED(gInDepth, uv)        the four red values around uv: (0,1), (1,1), (1,0), (0,0); only where
+//                                   HAS_GATHER
+//   TEXTURE_PARAMETER(colour)       a texture as parameter of a function
+//   TEXTURE_ARGUMENT(gInColour)     the texture at the call
 //
 // A Direct3D 9 sampler is texture and filter in one, so the filter belongs to the declaration everywhere: in
-// Vulkan the sampler NAME_sampler has binding slot + 32, in Direct3D 11 register s of the same slot. The engine
-// (or the runtime, from the table of passes) gives it the filter that the macro names.
+// Vulkan the sampler NAME_sampler has binding slot + 32, in Direct3D 11 register s of the same slot. The
+// engine (or the runtime, from the table of passes) gives it the filter that the macro names.
 #ifndef REPRISE_PLATFORM_HLSLI
 #define REPRISE_PLATFORM_HLSLI
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads shared between the four pixels of a fragment quad. Each pixel reads itself and the texels on its outer
-// side; the inner ones are read by its neighbours and come over as derivatives. Needs fine derivatives.
+// Reads shared between the four pixels of a fragment quad. Each pixel reads itself and the texels on its
+// outer side; the inner ones are read by its neighbours and come over as derivatives. Needs fine derivatives.
 //
-// A value that comes over is own + (neighbour - own): exact to one rounding of the larger of the two. A NaN or
-// an infinity in one pixel reaches the other three of its quad, so values are made finite first.
+// A value that comes over is own + (neighbour - own): exact to one rounding of the larger of the two. A NaN
+// or an infinity in one pixel reaches the other three of its quad, so values are made finite first.
 #ifndef REPRISE_QUAD_SHARING_HLSLI
 #define REPRISE_QUAD_SHARING_HLSLI
 

@@ -10,8 +10,8 @@
 // isInsideUv() rejects it, and small enough for a binary16 velocity. The listings divide by w as it comes.
 static const float2 BEHIND_CAMERA_UV = float2(-8.0, -8.0);
 
-// Clip coordinates to UV, guarded against w <= 0 and NaN. A clip position is homogeneous only up to a positive
-// factor. Results are held to [-8, 8] so that no infinity reaches a velocity buffer.
+// Clip coordinates to UV, guarded against w <= 0 and NaN. A clip position is homogeneous only up to a
+// positive factor. Results are held to [-8, 8] so that no infinity reaches a velocity buffer.
 float2 clipToUv(float4 positionCS) {
     bool inFront = positionCS.w > 0.0;
     float2 ndc = positionCS.xy / (inFront ? positionCS.w : 1.0);
@@ -25,9 +25,9 @@ float2 reprojectDeviceDepth(float2 uv, float deviceDepth, float4x4 reprojection)
     return clipToUv(transform(reprojection, float4(uvToNdc(uv), deviceDepth, 1.0)));
 }
 
-// View-space position from the corner ray, lerped over the image, and linear depth in metres. viewRay.xy is the
-// extent of the rays at depth 1 (perspective) or of the view volume (orthographic), viewRay.zw their value at
-// uv = 0.
+// View-space position from the corner ray, lerped over the image, and linear depth in metres. viewRay.xy is
+// the extent of the rays at depth 1 (perspective) or of the view volume (orthographic), viewRay.zw their
+// value at uv = 0.
 float3 viewPosition(float2 uv, float linearDepth, float4 viewRay) {
     float2 ray = uv * viewRay.xy + viewRay.zw;
 #if ORTHOGRAPHIC

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resampling of history. Repeated bilinear resampling blurs (Scherzer, slides on resampling); a cubic keeps detail.
+// Resampling of history. Repeated bilinear resampling blurs (Scherzer, slides on resampling); a cubic keeps
+// detail.
 #ifndef REPRISE_RESAMPLING_HLSLI
 #define REPRISE_RESAMPLING_HLSLI
 
 #include "reprise/colour.hlsli"
 #include "reprise/platform.hlsli"
 
-// Catmull-Rom at uv from five bilinear reads of a texture with a linear filter: the 4x4 footprint's middle row
-// and column, whose inner taps share one read each. The four corner reads, together at most 1/64 of the weight,
-// are left out and the rest is normalised. Negative results of the outer lobes become 0.
+// Catmull-Rom at uv from five bilinear reads of a texture with a linear filter: the 4x4 footprint's middle
+// row and column, whose inner taps share one read each. The four corner reads, together at most 1/64 of the
+// weight, are left out and the rest is normalised. Negative results of the outer lobes become 0.
 float3 sampleCatmullRom5(TEXTURE_PARAMETER(colour), float2 uv, float4 size) {
     float2 positionPx = uv * size.xy;
     float2 centrePx = floor(positionPx - 0.5) + 0.5;
@@ -31,7 +32,8 @@ float3 sampleCatmullRom5(TEXTURE_PARAMETER(colour), float2 uv, float4 size) {
     float3 down = sanitize(SAMPLE(colour, float2(uv12.x, uv3.y)).rgb);
 
     float cross = w12.x * (w0.y + w3.y) + w12.y * (w0.x + w3.x) + w12.x * w12.y;
-    float3 sum = w12.x * (up * w0.y + down * w3.y) + w12.y * (left * w0.x + right * w3.x) + middle * (w12.x * w12.y);
+    float3 sum = w12.x * (up * w0.y + down * w3.y) + w12.y * (left * w0.x + right * w3.x) +
+                 middle * (w12.x * w12.y);
     return sanitize(sum / cross);
 }
 

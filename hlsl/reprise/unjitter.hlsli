@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The current colour at the unjittered pixel centre, from the 3x3 already read. INSIDE, c_in' of the final blend.
+// The current colour at the unjittered pixel centre, from the 3x3 already read. INSIDE, c_in' of the final
+// blend.
 #ifndef REPRISE_UNJITTER_HLSLI
 #define REPRISE_UNJITTER_HLSLI
 
@@ -11,7 +12,8 @@ float3 unjitterWeightsBilinear(float jitterPx) {
     return float3(max(-jitterPx, 0.0), 1.0 - abs(jitterPx), max(jitterPx, 0.0));
 }
 
-// A Gaussian of UNJITTER_SIGMA_PX around the pixel centre: it also weighs the samples that fell into neighbours.
+// A Gaussian of UNJITTER_SIGMA_PX around the pixel centre: it also weighs the samples that fell into
+// neighbours.
 static const float UNJITTER_SIGMA_PX = 0.47;
 float3 unjitterWeightsGaussian(float jitterPx) {
     float3 distancePx = float3(-1.0, 0.0, 1.0) - jitterPx;
