@@ -61,7 +61,7 @@ size_t columns(const std::string& line) {
 }
 
 bool isComment(const std::string& line) {
-    return std::regex_search(line, std::regex("//"));
+    return line.find("//") != std::string::npos;
 }
 
 bool isBlank(const std::string& line) {
@@ -132,10 +132,9 @@ TEST(HlslStyle, commentsAreNeitherMissingNorEverywhere) {
         // The licence is no comment on the code.
         const double share = static_cast<double>(comments - 1) /
                              static_cast<double>(static_cast<std::ptrdiff_t>(file.lines.size()) - blanks - 1);
-        // A file of a few lines is mostly its contract.
-        const double most = file.lines.size() < 60 ? 0.5 : 0.35;
         EXPECT_GE(share, 0.08) << file.name();
-        EXPECT_LE(share, most) << file.name();
+        // A file of a few lines is mostly its contract.
+        EXPECT_TRUE(share <= 0.35 || file.lines.size() < 30) << file.name() << ": " << share;
     }
 }
 

@@ -2,6 +2,8 @@
 #include "function_runner.hpp"
 #include "inputs.hpp"
 
+#include "reprise/camera.hpp"
+
 #include <gtest/gtest.h>
 
 namespace functions {
@@ -106,6 +108,29 @@ TEST(Jitter, everyStepOfTheHelixCrossesTheHorizontalCentreLine) {
     for (size_t a = 0; a < 4; ++a)
         for (size_t b = 0; b < a; ++b)
             EXPECT_NE(points[a][0], points[b][0]) << a << " and " << b;
+}
+
+// The contract says that the CPU gives the same: within the rounding of binary32 that is tested above.
+TEST(Jitter, cpuAndGpuGiveTheSameSequence) {
+    using reprise::JitterSequence;
+    std::vector<Row> rows;
+    for (int frame = 0; frame < 40; ++frame)
+        rows.push_back({vec4(frame, 0, 0, 0)});
+    const auto out = run({"sequences",
+                          {header},
+                          "out0.xy = haltonJitterPx(in0.x, 8.0); out1.xy = haltonJitterPx(in0.x, 16.0);"
+                          "out2.xy = uniform4HelixJitterPx(in0.x);",
+                          1,
+                          3},
+                         rows);
+    const JitterSequence sequences[] = {JitterSequence::halton8, JitterSequence::halton16,
+                                        JitterSequence::uniform4Helix};
+    for (uint64_t frame = 0; frame < 40; ++frame)
+        for (size_t i = 0; i < 3; ++i) {
+            const dvec2 cpu = reprise::jitterPx(sequences[i], frame), gpu = xy(out[frame][i]);
+            EXPECT_LE(largest(dvec3(cpu - gpu, 0.0)), 4.0 * divisionError)
+                << "sequence " << i << " frame " << frame;
+        }
 }
 
 } // namespace

@@ -47,8 +47,8 @@ std::string wrongPixels(const Image& image, const Mutation& mutation = {}) {
             where << "pixel " << x << ", " << y << " of " << image.width << "x" << image.height;
             if (xy(out[0]) != dvec2((x & 1) * 2 - 1, (y & 1) * 2 - 1)) return where.str() + ": side";
             for (int c = 0; c < 3; ++c) {
-                const double boundX = 4.0 * roundoff * std::max(own[c], row[c]),
-                             boundY = 4.0 * roundoff * std::max(own[c], column[c]);
+                const double boundX = 2.0 * roundoff * std::max(own[c], row[c]),
+                             boundY = 2.0 * roundoff * std::max(own[c], column[c]);
                 where << ": " << out[1][c] << " for " << row[c] << ", " << out[2][c] << " for " << column[c];
                 if (!(std::abs(out[1][c] - row[c]) <= boundX) || !(std::abs(out[2][c] - column[c]) <= boundY))
                     return where.str();
