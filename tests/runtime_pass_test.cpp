@@ -37,8 +37,8 @@ constexpr BindingInfo bindings[] = {
     {"gOutColour", 16, BindingKind::storageImage},
     {"gInColour_sampler", 33, BindingKind::pointSampler},
 };
-constexpr ImageInfo inputs[] = {{"gInColour", "", "rgba16f", 1.0f, "", {}}};
-constexpr ImageInfo outputs[] = {{"gOutColour", "", "rgba16f", 1.0f, "", {}}};
+constexpr ImageInfo inputs[] = {{"gInColour", "", "rgba16f", 1.0f, "", {}, ""}};
+constexpr ImageInfo outputs[] = {{"gOutColour", "", "rgba16f", 1.0f, "", {}, ""}};
 
 const PassInfo scalePass{.name = "scale",
                          .summary = "",
@@ -87,7 +87,7 @@ protected:
 // Twice the input, texel for texel: powers of two are exact in half. Sizes that fill no group, one and many.
 TEST_P(PassTest, everyTexelIsWrittenAtItsOwnPlace) {
     auto pass = runner();
-    for (const auto [width, height] : {std::pair{1u, 1u}, {2u, 2u}, {7u, 5u}, {64u, 64u}, {641u, 359u}}) {
+    for (const auto& [width, height] : {std::pair{1u, 1u}, {2u, 2u}, {7u, 5u}, {64u, 64u}, {641u, 359u}}) {
         auto in = testGpu().image(VK_FORMAT_R16G16B16A16_SFLOAT, width, height);
         auto out = testGpu().image(VK_FORMAT_R16G16B16A16_SFLOAT, width, height);
         auto values = ramp(width, height);
@@ -160,8 +160,8 @@ TEST_P(PassTest, bindingsAreThoseOfTheModule) {
     EXPECT_EQ(names, expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Stages, PassTest, testing::ValuesIn(stages), [](const auto& info) {
-    return info.param == Stage::compute ? "compute" : "fragment";
+INSTANTIATE_TEST_SUITE_P(Stages, PassTest, testing::ValuesIn(stages), [](const auto& stage) {
+    return stage.param == Stage::compute ? "compute" : "fragment";
 });
 
 } // namespace

@@ -146,21 +146,37 @@ Result<Descriptor> parameterDescriptor(const PassInfo& pass, FrameArena& arena, 
     return descriptor;
 }
 
-Result<Descriptor> describe(const PassInfo& pass, const BindingInfo& binding, FrameArena& arena,
-                            const Resources& resources) {
+Result<Descriptor> describe(const PassInfo& pass, const BindingInfo& binding, const Resources& resources) {
     switch (binding.kind) {
     case BindingKind::sampledImage:
     case BindingKind::storageImage:
         return imageDescriptor(pass, binding, resources);
     case BindingKind::storageBuffer:
         return bufferDescriptor(pass, binding, resources);
-    case BindingKind::uniformBuffer:
-        return parameterDescriptor(pass, arena, resources);
+    case BindingKind::uniformBuffer: // filled last
     case BindingKind::pointSampler:
     case BindingKind::linearSampler:
         break;
     }
     return Descriptor{};
+}
+
+// Parameters come last, so that a call that lacks an image takes nothing from the arena.
+Result<std::vector<Descriptor>> describeAll(const PassInfo& pass, const ShaderInterface& interface,
+                                            FrameArena& arena, const Resources& resources) {
+    std::vector<Descriptor> descriptors;
+    for (const BindingInfo& binding : interface.bindings) {
+        auto descriptor = describe(pass, binding, resources);
+        if (!descriptor) return descriptor.error();
+        descriptors.push_back(*descriptor);
+    }
+    for (size_t i = 0; i < descriptors.size(); ++i) {
+        if (interface.bindings[i].kind != BindingKind::uniformBuffer) continue;
+        auto parameters = parameterDescriptor(pass, arena, resources);
+        if (!parameters) return parameters.error();
+        descriptors[i] = *parameters;
+    }
+    return descriptors;
 }
 
 } // namespace
@@ -189,16 +205,12 @@ Result<ShaderInterface> makeInterface(const Device& device, const PassInfo& pass
 
 Result<VkDescriptorSet> writeSet(const Device& device, const PassInfo& pass, const ShaderInterface& interface,
                                  FrameArena& arena, const Resources& resources) {
-    std::vector<Descriptor> descriptors;
-    for (const BindingInfo& binding : interface.bindings) {
-        auto descriptor = describe(pass, binding, arena, resources);
-        if (!descriptor) return descriptor.error();
-        descriptors.push_back(*descriptor);
-    }
+    auto descriptors = describeAll(pass, interface, arena, resources);
+    if (!descriptors) return descriptors.error();
     auto set = ArenaAccess::set(arena, interface.setLayout.get());
     if (!set) return set.error();
     std::vector<VkWriteDescriptorSet> writes;
-    for (size_t i = 0; i < descriptors.size(); ++i) {
+    for (size_t i = 0; i < descriptors->size(); ++i) {
         const BindingInfo& binding = interface.bindings[i];
         if (isSampler(binding.kind)) continue; // immutable
         auto write = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
@@ -206,8 +218,8 @@ Result<VkDescriptorSet> writeSet(const Device& device, const PassInfo& pass, con
         write.dstBinding = binding.binding;
         write.descriptorCount = 1;
         write.descriptorType = descriptorType(binding.kind);
-        write.pImageInfo = &descriptors[i].image;
-        write.pBufferInfo = &descriptors[i].buffer;
+        write.pImageInfo = &(*descriptors)[i].image;
+        write.pBufferInfo = &(*descriptors)[i].buffer;
         writes.push_back(write);
     }
     device.vk->UpdateDescriptorSets(device.borrowed.device, static_cast<uint32_t>(writes.size()),

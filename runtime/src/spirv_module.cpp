@@ -9,7 +9,7 @@ namespace reprise {
 namespace {
 
 constexpr uint32_t magicNumber = 0x07230203, headerWords = 5;
-constexpr uint32_t opEntryPoint = 15, opDecorate = 71;
+constexpr uint32_t opEntryPoint = 15, opFunctionEnd = 56, opDecorate = 71;
 constexpr uint32_t decorationBinding = 33, decorationDescriptorSet = 34;
 
 struct Place {
@@ -70,6 +70,7 @@ Result<SpirvModule> readModule(std::span<const uint32_t> words) {
     SpirvModule module;
     module.words = words;
     std::map<uint32_t, Place> places;
+    uint32_t last = 0;
     for (size_t at = headerWords; at < words.size();) {
         const uint32_t count = words[at] >> 16, opcode = words[at] & 0xffffu;
         if (count == 0 || count > words.size() - at) return bad("it is cut short");
@@ -80,8 +81,11 @@ Result<SpirvModule> readModule(std::span<const uint32_t> words) {
             module.entry = readString(instruction.subspan(3));
         }
         if (opcode == opDecorate) readDecoration(instruction, places);
+        last = opcode;
         at += count;
     }
+    // A file cut between two instructions would crash some drivers.
+    if (last != opFunctionEnd) return bad("it is cut short");
     if (module.entry.empty()) return bad("it has no entry point");
     module.bindings = bindingsOf(places);
     return module;
