@@ -121,7 +121,23 @@ TEST_P(Poison, wholeImagesLeaveFiniteOutputs) {
     }
 }
 
-// The largest difference of two images, and the largest value.
+// Point reads see a broken texel exactly, so the oracle tells what its repair gives: NaN and negative colours count
+// as black, infinite ones as the largest.
+TEST_P(Poison, brokenColoursCountAsTheirRepairedOnes) {
+    for (Variant variant : committedVariants("temporal_aa")) {
+        ASSERT_TRUE(reprise::setSwitch(variant, "MOTION_BLUR_FALLBACK", "off"));
+        if (reprise::switchValue(variant, "NEIGHBOURHOOD") == "four_tap") continue;   // reads between texels
+        Pass pass(variant, GetParam(), {rgba32f});
+        TemporalAaFrame frame = wideFrame(16);
+        for (size_t i = 0; i < std::size(places); ++i)
+            for (int c = 0; c < 3; ++c)
+                frame.colour.at(places[i].x, places[i].y, c) = poisons[(i + static_cast<size_t>(c)) % 4];
+        const Comparison result = compareWithOracle(variant, frame, run(pass, frame));
+        EXPECT_TRUE(result.holds()) << describe(variant, GetParam(), width, height) << ": " << text(result);
+    }
+}
+
+// The largest difference of two images.
 float largestDifference(const Pixels& a, const Pixels& b) {
     float largest = 0.0f;
     for (size_t i = 0; i < a.values.size(); ++i) largest = std::max(largest, std::abs(a.values[i] - b.values[i]));

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// Deliberately wrong forms of the passes, each of which the comparison with the oracle or the poison must catch.
+// A mutant is a copy of hlsl/ with one text replaced; if the text is no longer there, the mutant has to follow.
+#include "camera_case.hpp"
+#include "temporal_aa_case.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace passes {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Mutant {
+    std::string_view name;
+    std::string_view file, original, wrong;
+    Stage stage;
+    std::vector<reprise::Condition> switches;
+};
+
+void PrintTo(const Mutant& mutant, std::ostream* stream) {
+    *stream << mutant.name;
+}
+
+constexpr Stage fragment = Stage::fragment, compute = Stage::compute;
+
+const std::vector<Mutant>& temporalAaMutants() {
+    static const std::vector<Mutant> mutants = {
+        {"quadDerivativesSwapped", "reprise/quad_sharing.hlsli", "value - ddx_fine(value) * side.x",
+         "value - ddy_fine(value) * side.x", fragment, {{"QUAD_SHARING", "on"}}},
+        {"quadSideFlipped", "reprise/quad_sharing.hlsli", "* 4.0 - 1.0", "* -4.0 + 1.0", fragment,
+         {{"QUAD_SHARING", "on"}}},
+        {"quadDepthNotTurned", "passes/temporal_aa.hlsl", "side.y > 0.0 ? turnedX : turnedX.wzyx", "turnedX", fragment,
+         {{"QUAD_SHARING", "on"}}},
+        {"gatherComponentWrong", "reprise/closest_fragment.hlsli", "d.leftUp = leftUp.w;", "d.leftUp = leftUp.x;",
+         fragment, {}},
+        {"gatherComponentWrongInCompute", "passes/temporal_aa.hlsl", "float3(left.w, left.z, right.z)",
+         "float3(left.x, left.z, right.z)", compute, {}},
+        {"farthestFragment", "reprise/depth.hlsli", "return a < b;", "return a > b;", fragment, {}},
+        {"jitterSign", "passes/temporal_aa.hlsl", "gJitterPx * side;", "-gJitterPx * side;", fragment, {}},
+        {"motionSign", "passes/temporal_aa.hlsl", "float2 prevUv = uv - motion;", "float2 prevUv = uv + motion;",
+         fragment, {}},
+        {"motionNotScaled", "passes/temporal_aa.hlsl", "SAMPLE(gInVelocity, uv).rg * gMotionToUv",
+         "SAMPLE(gInVelocity, uv).rg", fragment, {}},
+        {"roundedWithoutPlus", "reprise/neighbourhood.hlsli", "0.5 * (plus.minimum + square.minimum)",
+         "square.minimum", fragment, {}},
+        {"chromaNotShrunk", "reprise/neighbourhood.hlsli", "0.125 *", "0.5 *", fragment, {{"COLOUR_SPACE", "ycocg"}}},
+        {"fourTapsAtFixedDistance", "reprise/neighbourhood.hlsli", "lerp(0.666, 0.5,", "lerp(0.666, 0.666,", fragment,
+         {{"NEIGHBOURHOOD", "four_tap"}}},
+        {"historyWeightInverted", "reprise/feedback.hlsli", "current + (history - current) * weight",
+         "history + (current - history) * weight", fragment, {}},
+        {"feedbackEndsSwapped", "reprise/feedback.hlsli", "lerp(weightMin, weightMax,", "lerp(weightMax, weightMin,",
+         fragment, {{"FEEDBACK", "luminance"}}},
+        {"rowsSwappedInCompute", "passes/temporal_aa.hlsl",
+         "neighbourhoodOf(colourRows[y], colourRows[y + 1], colourRows[y + 2])",
+         "neighbourhoodOf(colourRows[y + 2], colourRows[y + 1], colourRows[y])", compute, {}},
+        {"halfTexelOff", "passes/temporal_aa.hlsl", "pxToUv(float2(firstPixel) + 0.5,", "pxToUv(float2(firstPixel),",
+         compute, {}},
+        {"halfTexelOffInFragment", "passes/temporal_aa.hlsl", "pxToUv(positionPx.xy,", "pxToUv(positionPx.xy - 0.5,",
+         fragment, {}},
+        {"historyKeptOutsideTheImage", "passes/temporal_aa.hlsl", "isInsideUv(prevUv) ? weight * gHistoryValid : 0.0",
+         "weight * gHistoryValid", fragment, {}},
+        {"invalidHistoryUsed", "passes/temporal_aa.hlsl", "weight * gHistoryValid : 0.0", "weight : 0.0", fragment, {}},
+        {"motionBlurTrustInverted", "reprise/motion_blur.hlsli", "(blurToPx - motionPx)", "(motionPx - blurFromPx)",
+         fragment, {}},
+        {"motionBlurAtJitteredCentre", "passes/temporal_aa.hlsl", "uv + gJitterPx * gOutputSize.zw;", "uv;", compute,
+         {}},
+        {"cubicLobeSign", "reprise/resampling.hlsli", "f * f * (-0.5 + 0.5 * f)", "f * f * (0.5 - 0.5 * f)", fragment,
+         {{"HISTORY_FILTER", "bicubic"}}},
+        {"gaussianTooWide", "reprise/unjitter.hlsli", "UNJITTER_SIGMA_PX = 0.47", "UNJITTER_SIGMA_PX = 0.48", fragment,
+         {{"UNJITTER", "gaussian"}}},
+        {"expansionSkipped", "passes/temporal_aa.hlsl", "colour = expandHdr(colour);", "", fragment,
+         {{"HDR_WEIGHT", "on"}}},
+        {"sanitizeMissing", "passes/temporal_aa.hlsl", "    colour = sanitize(colour);\n", "", fragment, {}},
+        {"sanitizeMissingInCompute", "reprise/colour.hlsli", "return min(positive, MAX_COLOUR);", "return colour;",
+         compute, {}},
+    };
+    return mutants;
+}
+
+const std::vector<Mutant>& cameraMutants() {
+    static const std::vector<Mutant> mutants = {
+        {"jitterAdded", "passes/camera_velocity.hlsl", "uv - gJitterUv", "uv + gJitterUv", fragment, {}},
+        {"motionReversed", "passes/camera_velocity.hlsl", "return currUv - prevUv;", "return prevUv - currUv;",
+         compute, {}},
+        {"yNotFlipped", "reprise/coordinates.hlsli", "float2(0.5, -0.5)", "float2(0.5, 0.5)", fragment, {}},
+        {"behindNotGuarded", "reprise/reprojection.hlsli", "bool inFront = positionCS.w > 0.0;", "bool inFront = true;",
+         fragment, {}},
+        {"rayNotScaledByDepth", "reprise/reprojection.hlsli", "ray * linearDepth, linearDepth", "ray, linearDepth",
+         compute, {{"DEPTH_LINEAR", "on"}}},
+        {"matrixTransposed", "reprise/conventions.hlsli", "return mul(v, m);", "return mul(m, v);", fragment, {}},
+    };
+    return mutants;
+}
+
+std::string readAll(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+// A copy of hlsl/ in which the text is replaced; false if the text is not there.
+bool writeMutant(const Mutant& mutant, const fs::path& directory) {
+    fs::remove_all(directory);
+    fs::copy("hlsl", directory, fs::copy_options::recursive);
+    std::string text = readAll(directory / mutant.file);
+    const size_t place = text.find(mutant.original);
+    if (place == std::string::npos) return false;
+    text.replace(place, mutant.original.size(), mutant.wrong);
+    std::ofstream(directory / mutant.file, std::ios::binary) << text;
+    return true;
+}
+
+struct MutantPack {
+    fs::path directory;
+    std::optional<reprisec::Pack> pack;
+
+    explicit MutantPack(const Mutant& mutant)
+        : directory(fs::temp_directory_path() / ("reprise_mutant_" + std::string(mutant.name))) {
+        if (!writeMutant(mutant, directory)) return;
+        auto loaded = reprisec::Pack::load(directory / "pack.toml");
+        if (loaded) pack = std::move(*loaded);
+    }
+    ~MutantPack() { fs::remove_all(directory); }
+    MutantPack(const MutantPack&) = delete;
+    MutantPack& operator=(const MutantPack&) = delete;
+};
+
+// The frames of the comparison: as it is, velocity in NDC, and without history.
+std::vector<TemporalAaFrame> framesForMutants() {
+    TemporalAaFrame plain = randomFrame(40, 40, 31), ndc = plain, first = plain;
+    for (size_t i = 0; i < ndc.velocity.values.size(); ++i) ndc.velocity.values[i] *= i % 2 == 0 ? 2.0f : -2.0f;
+    ndc.parameters.gMotionToUv[0] = 0.5f;
+    ndc.parameters.gMotionToUv[1] = -0.5f;
+    first.parameters.gHistoryValid = 0.0f;
+    return {plain, ndc, first};
+}
+
+bool isColour(const std::vector<Pixels>& outputs) {
+    for (const Pixels& output : outputs)
+        for (const float value : output.values)
+            if (!(value >= 0.0f && value <= 65504.0f)) return false;
+    return true;
+}
+
+// Whether any test of temporal_aa would fail with this pass.
+bool isCaught(Pass& pass) {
+    const auto frames = framesForMutants();
+    for (const TemporalAaFrame& frame : frames)
+        if (!compareWithOracle(pass.variant(), frame, run(pass, frame)).holds()) return true;
+    // Between texels a filter spreads what is broken, and the oracle has no say.
+    const bool readsTexels = reprise::switchValue(pass.variant(), "NEIGHBOURHOOD") != "four_tap";
+    for (const float poison : {std::numeric_limits<float>::quiet_NaN(), -3.0f}) {
+        TemporalAaFrame poisoned = frames[0];
+        for (int c = 0; c < 3; ++c) poisoned.colour.at(20, 20, c) = poison;
+        const auto outputs = run(pass, poisoned);
+        if (!isColour(outputs)) return true;
+        if (readsTexels && !compareWithOracle(pass.variant(), poisoned, {outputs[0]}).holds()) return true;
+    }
+    return false;
+}
+
+std::vector<VkFormat> float32Outputs(const Variant& variant) {
+    const bool blurs = reprise::switchValue(variant, "MOTION_BLUR_FALLBACK") == "on";
+    return std::vector<VkFormat>(blurs ? 2 : 1, rgba32f);
+}
+
+// The form without the mistake is not caught; once for each form.
+bool rightFormPasses(const Variant& variant, Stage stage) {
+    static std::map<std::string, bool> known;
+    const std::string name = describe(variant, stage, 0, 0);
+    if (const auto found = known.find(name); found != known.end()) return found->second;
+    Pass right(variant, stage, float32Outputs(variant));
+    return known[name] = !isCaught(right);
+}
+
+class TemporalAaMutant : public PassTest, public testing::WithParamInterface<Mutant> {};
+INSTANTIATE_TEST_SUITE_P(Mutants, TemporalAaMutant, testing::ValuesIn(temporalAaMutants()),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+TEST_P(TemporalAaMutant, isCaught) {
+    const Mutant& mutant = GetParam();
+    const MutantPack mutated(mutant);
+    ASSERT_TRUE(mutated.pack) << mutant.file << " no longer holds: " << mutant.original;
+    const Variant right = variantOf(pack(), "temporal_aa", mutant.switches);
+    EXPECT_TRUE(rightFormPasses(right, mutant.stage)) << "the comparison fails without the mistake too";
+    const Variant wrong = variantOf(*mutated.pack, "temporal_aa", mutant.switches);
+    Pass pass(wrong, mutant.stage, float32Outputs(wrong), *mutated.pack);
+    EXPECT_TRUE(isCaught(pass));
+}
+
+class CameraVelocityMutant : public PassTest, public testing::WithParamInterface<Mutant> {};
+INSTANTIATE_TEST_SUITE_P(Mutants, CameraVelocityMutant, testing::ValuesIn(cameraMutants()),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+TEST_P(CameraVelocityMutant, isCaught) {
+    const Mutant& mutant = GetParam();
+    const MutantPack mutated(mutant);
+    ASSERT_TRUE(mutated.pack) << mutant.file << " no longer holds: " << mutant.original;
+    const bool depthLinear = !mutant.switches.empty();
+    const CameraCase frame = randomCameraCase({}, depthLinear, 64, 64, 32);
+    const CameraCase behind = randomCameraCase({}, depthLinear, 64, 64, 32, true);
+    auto isCaughtBy = [&](Pass&& pass) {
+        return !compareWithOracle(frame, run(pass, frame)[0]).holds() ||
+               !compareWithOracle(behind, run(pass, behind)[0]).holds();
+    };
+    EXPECT_FALSE(isCaughtBy(Pass(variantOf(pack(), "camera_velocity", mutant.switches), mutant.stage, {rg32f})));
+    EXPECT_TRUE(isCaughtBy(Pass(variantOf(*mutated.pack, "camera_velocity", mutant.switches), mutant.stage, {rg32f},
+                                *mutated.pack)));
+}
+
+} // namespace
+} // namespace passes
