@@ -144,10 +144,9 @@ struct Resolved {
     float3 colour;
 };
 
-// Reproject, validate, constrain, blend.
-Resolved resolve(float2 uv, float2 motion, float3 current, ColourBox box) {
-    float2 prevUv = uv - motion;
-    float3 history = constrain(readHistory(prevUv), current, box);
+// Validate, constrain, blend. `history` is what was read at uv - motion.
+Resolved resolve(float2 uv, float2 motion, float3 history, float3 current, ColourBox box) {
+    history = constrain(history, current, box);
 
 #if FEEDBACK_LUMINANCE
     float weight =
@@ -155,7 +154,7 @@ Resolved resolve(float2 uv, float2 motion, float3 current, ColourBox box) {
 #else
     float weight = gFeedbackMax;
 #endif
-    weight = isInsideUv(prevUv) ? weight * gHistoryValid : 0.0;
+    weight = isInsideUv(uv - motion) ? weight * gHistoryValid : 0.0;
 
     Resolved resolved;
     resolved.history = fromWorkingSpace(blendHistory(current, history, weight));
@@ -173,7 +172,7 @@ Resolved resolve(float2 uv, float2 motion, float3 current, ColourBox box) {
 #if NEIGHBOURHOOD_FOUR_TAP
 
 // The first form of the talk: four taps whose distance falls with motion.
-Resolved resolveFourTap(float2 uv, float2 motion) {
+Resolved resolveFourTap(float2 uv, float2 motion, float3 history) {
     float2 reach = fourTapDistance(length(motion * gOutputSize.xy)) * gOutputSize.zw;
     float3 centre = readColour(uv);
     ColourBox box = boxOfFourTaps(centre, readColourFiltered(uv - reach),
@@ -184,9 +183,9 @@ Resolved resolveFourTap(float2 uv, float2 motion) {
     box = shrinkChroma(box, centre);
 #endif
 #if UNJITTER_OFF
-    return resolve(uv, motion, centre, box);
+    return resolve(uv, motion, history, centre, box);
 #else
-    return resolve(uv, motion, readColourFiltered(uv + gJitterPx * gOutputSize.zw), box);
+    return resolve(uv, motion, history, readColourFiltered(uv + gJitterPx * gOutputSize.zw), box);
 #endif
 }
 
@@ -194,27 +193,33 @@ Resolved resolveFourTap(float2 uv, float2 motion) {
 
 #if STAGE_COMPUTE
 
-// --- Compute: a thread resolves a column of pixels. Rows of texels are read once for the pixels above, on
-// and below them, and neighbouring threads read neighbouring texels. (A 2x2 a thread reads as little, but its
-// reads lie two texels apart, which a GPU's texture units serve at half speed; group-shared tiles were slower
-// still.)
+// --- Compute: a thread resolves a column of pixels, so that a row of texels is read once for the pixels above,
+// on and below it, and neighbouring threads read neighbouring texels. It is bound by its texture reads, not by
+// its arithmetic: 2x2 pixels a thread read as little, but two texels apart, and group-shared tiles wait at
+// their barrier; both were slower. The chain of depth, motion and history goes first, its waits the longest.
 
-static const int COLUMN = 4;   // pixels_per_thread of the table
+static const int COLUMN = 6;   // pixels_per_thread of the table
 
 [[vk::binding(16)]] RWTexture2D<float4> gOutHistory;
 #if MOTION_BLUR_FALLBACK
 [[vk::binding(17)]] RWTexture2D<float4> gOutColour;
 #endif
 
+// Three texels beside each other; `right` is the one on the outer side where a quad shares.
 struct ColourRow {
     float3 left, centre, right;
 };
 
-ColourRow readColourRow(float2 uv) {
+ColourRow readColourRow(float2 uv, float2 side) {
     ColourRow row;
-    row.left = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, -1, 0).rgb);
     row.centre = readColour(uv);
+#if QUAD_SHARING
+    row.right = readColour(uv + float2(side.x * gOutputSize.z, 0.0));
+    row.left = quadSwapX(row.centre, side);
+#else
     row.right = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, 1, 0).rgb);
+    row.left = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, -1, 0).rgb);
+#endif
     return row;
 }
 
@@ -232,7 +237,24 @@ Neighbourhood neighbourhoodOf(ColourRow up, ColourRow own, ColourRow down) {
     return n;
 }
 
-// Depths left, centre and right of a row in xyz.
+// Depths of two rows, the first at uv: left, centre and right in xyz, mirrored as in a ColourRow.
+void readDepthRows(float2 uv, float2 side, out float3 upper, out float3 lower) {
+    float2 halfTexel = 0.5 * gOutputSize.zw;
+#if QUAD_SHARING
+    float4 four = GATHER_RED(gInDepth, uv + float2(side.x * halfTexel.x, halfTexel.y));
+    float2 own = side.x > 0.0 ? four.wx : four.zy;
+    float2 outer = side.x > 0.0 ? four.zy : four.wx;
+    float2 inner = quadSwapX(own, side);
+    upper = float3(inner.x, own.x, outer.x);
+    lower = float3(inner.y, own.y, outer.y);
+#else
+    float4 left = GATHER_RED(gInDepth, uv + float2(-halfTexel.x, halfTexel.y));
+    float4 right = GATHER_RED(gInDepth, uv + halfTexel);
+    upper = float3(left.w, left.z, right.z);
+    lower = float3(left.x, left.y, right.y);
+#endif
+}
+
 DepthSquare depthSquareOf(float3 up, float3 own, float3 down) {
     DepthSquare d;
     d.leftUp = up.x;
@@ -255,45 +277,54 @@ void write(uint2 pixel, Resolved resolved) {
 #endif
 }
 
-[numthreads(16, 4, 1)]
+[numthreads(32, 4, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
     uint2 firstPixel = uint2(thread.x, thread.y * COLUMN);
-    if (any(firstPixel >= uint2(gOutputSize.xy))) return;
     float2 firstUv = pxToUv(float2(firstPixel) + 0.5, gOutputSize.zw);
+    float2 below = float2(0.0, gOutputSize.w);
+#if QUAD_SHARING
+    float2 side = float2(quadSide(float2(firstPixel)).x, 1.0);   // every thread of a quad runs to its end
+#else
+    float2 side = float2(1.0, 1.0);
+    if (any(firstPixel >= uint2(gOutputSize.xy))) return;
+#endif
 
     // Row 0 is the one above the column.
+    float2 motions[COLUMN];
 #if MOTION && CLOSEST_FRAGMENT
     float3 depthRows[COLUMN + 2];
-    [unroll] for (int pair = 0; pair < COLUMN + 2; pair += 2) {
-        float2 cornerUv = firstUv + float2(-0.5, float(pair) - 0.5) * gOutputSize.zw;
-        float4 left = GATHER_RED(gInDepth, cornerUv);
-        float4 right = GATHER_RED(gInDepth, cornerUv + float2(gOutputSize.z, 0.0));
-        depthRows[pair] = float3(left.w, left.z, right.z);
-        depthRows[pair + 1] = float3(left.x, left.y, right.y);
-    }
+    [unroll] for (int pair = 0; pair < COLUMN + 2; pair += 2)
+        readDepthRows(firstUv + below * float(pair - 1), side, depthRows[pair], depthRows[pair + 1]);
 #endif
-#if !NEIGHBOURHOOD_FOUR_TAP
-    ColourRow colourRows[COLUMN + 2];
-    [unroll] for (int row = 0; row < COLUMN + 2; ++row)
-        colourRows[row] = readColourRow(firstUv + float2(0.0, float(row - 1) * gOutputSize.w));
-#endif
-
     [unroll] for (int y = 0; y < COLUMN; ++y) {
-        float2 uv = firstUv + float2(0.0, float(y) * gOutputSize.w);
+        float2 uv = firstUv + below * float(y);
 #if MOTION && CLOSEST_FRAGMENT
         DepthSquare depths = depthSquareOf(depthRows[y], depthRows[y + 1], depthRows[y + 2]);
-        float2 motion = readMotion(uv + closestFragment(depths) * gOutputSize.zw);
-#else
-        float2 motion = readMotion(uv);
+        uv += closestFragment(depths) * side * gOutputSize.zw;
 #endif
+        motions[y] = readMotion(uv);
+    }
+    float3 histories[COLUMN];
+    [unroll] for (int i = 0; i < COLUMN; ++i)
+        histories[i] = readHistory(firstUv + below * float(i) - motions[i]);
+
+#if !NEIGHBOURHOOD_FOUR_TAP
+    ColourRow up = readColourRow(firstUv - below, side);
+    ColourRow own = readColourRow(firstUv, side);
+#endif
+    [unroll] for (int row = 0; row < COLUMN; ++row) {
+        float2 uv = firstUv + below * float(row);
 #if NEIGHBOURHOOD_FOUR_TAP
-        Resolved resolved = resolveFourTap(uv, motion);
+        Resolved resolved = resolveFourTap(uv, motions[row], histories[row]);
 #else
-        Neighbourhood n = neighbourhoodOf(colourRows[y], colourRows[y + 1], colourRows[y + 2]);
-        float3 current = unjitteredColour(n, float2(1.0, 1.0));
-        Resolved resolved = resolve(uv, motion, current, neighbourhoodBox(n));
+        ColourRow down = readColourRow(uv + below, side);
+        Neighbourhood n = neighbourhoodOf(up, own, down);
+        float3 current = unjitteredColour(n, side);
+        Resolved resolved = resolve(uv, motions[row], histories[row], current, neighbourhoodBox(n));
+        up = own;
+        own = down;
 #endif
-        write(firstPixel + uint2(0, y), resolved);
+        write(firstPixel + uint2(0, row), resolved);
     }
 }
 
@@ -383,11 +414,13 @@ Outputs mainFragment(float4 positionPx : SV_Position) {
     float2 motion = readMotion(uv);
 #endif
 
+    float3 history = readHistory(uv - motion);
+
 #if NEIGHBOURHOOD_FOUR_TAP
-    Resolved resolved = resolveFourTap(uv, motion);
+    Resolved resolved = resolveFourTap(uv, motion, history);
 #else
     Neighbourhood n = readNeighbourhood(uv, side);
-    Resolved resolved = resolve(uv, motion, unjitteredColour(n, side), neighbourhoodBox(n));
+    Resolved resolved = resolve(uv, motion, history, unjitteredColour(n, side), neighbourhoodBox(n));
 #endif
 
     Outputs outputs;

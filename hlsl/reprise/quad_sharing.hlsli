@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads shared between the four pixels of a fragment quad. Each pixel reads itself and the texels on its
-// outer side; the inner ones are read by its neighbours and come over as derivatives. Needs fine derivatives.
+// Reads shared between the four invocations of a quad. Each reads itself and the texels on its outer side;
+// the inner ones are read by its neighbours and come over.
 //
-// A value that comes over is own + (neighbour - own): exact to one rounding of the larger of the two. A NaN
-// or an infinity in one pixel reaches the other three of its quad, so values are made finite first.
+// Fragment: they come as fine derivatives, own + (neighbour - own), exact to one rounding of the larger of
+// the two. A NaN or an infinity in one pixel reaches the other three, so values are made finite first.
+// Compute: they come through quad operations, exactly. Neighbours in a row are neighbours in the group, all
+// four must be running, and the device must have quad operations in compute.
 #ifndef REPRISE_QUAD_SHARING_HLSLI
 #define REPRISE_QUAD_SHARING_HLSLI
 
@@ -11,6 +13,19 @@
 float2 quadSide(float2 positionPx) {
     return frac(floor(positionPx) * 0.5) * 4.0 - 1.0;
 }
+
+#if STAGE_COMPUTE
+
+// The value of the other invocation in the row.
+float2 quadSwapX(float2 value, float2 side) {
+    return QuadReadAcrossX(value);
+}
+
+float3 quadSwapX(float3 value, float2 side) {
+    return QuadReadAcrossX(value);
+}
+
+#else
 
 // The value of the other pixel in the row.
 float3 quadSwapX(float3 value, float2 side) {
@@ -21,5 +36,7 @@ float3 quadSwapX(float3 value, float2 side) {
 float3 quadSwapY(float3 value, float2 side) {
     return value - ddy_fine(value) * side.y;
 }
+
+#endif
 
 #endif
