@@ -25,7 +25,27 @@ uint8_t toSrgb(float linear) {
     return uint8_t(std::lround(std::clamp(c, 0.0f, 1.0f) * 255.0f));
 }
 
-Texture half(const Texture& fine) {
+double coverage(const Texture& texture, float scale, float cutoff) {
+    size_t passing = 0;
+    for (size_t i = 3; i < texture.texels.size(); i += 4)
+        passing += float(texture.texels[i]) / 255.0f * scale >= cutoff;
+    return double(passing) / double(texture.texels.size() / 4);
+}
+
+// The factor on alpha at which as many texels pass as did in the finest mip.
+void keepCoverage(Texture& texture, double wanted, float cutoff) {
+    float low = 0.25f, high = 8.0f;
+    for (int step = 0; step < 12; ++step) {
+        const float middle = 0.5f * (low + high);
+        (coverage(texture, middle, cutoff) < wanted ? low : high) = middle;
+    }
+    for (size_t i = 3; i < texture.texels.size(); i += 4)
+        texture.texels[i] = uint8_t(std::min(255.0f, float(texture.texels[i]) * high));
+}
+
+} // namespace
+
+Texture halfSize(const Texture& fine) {
     Texture coarse{std::max(1u, fine.width / 2), std::max(1u, fine.height / 2), {}};
     coarse.texels.resize(size_t(coarse.width) * coarse.height * 4);
     for (uint32_t y = 0; y < coarse.height; ++y) {
@@ -47,30 +67,10 @@ Texture half(const Texture& fine) {
     return coarse;
 }
 
-double coverage(const Texture& texture, float scale, float cutoff) {
-    size_t passing = 0;
-    for (size_t i = 3; i < texture.texels.size(); i += 4)
-        passing += float(texture.texels[i]) / 255.0f * scale >= cutoff;
-    return double(passing) / double(texture.texels.size() / 4);
-}
-
-// The factor on alpha at which as many texels pass as did in the finest mip.
-void keepCoverage(Texture& texture, double wanted, float cutoff) {
-    float low = 0.25f, high = 8.0f;
-    for (int step = 0; step < 12; ++step) {
-        const float middle = 0.5f * (low + high);
-        (coverage(texture, middle, cutoff) < wanted ? low : high) = middle;
-    }
-    for (size_t i = 3; i < texture.texels.size(); i += 4)
-        texture.texels[i] = uint8_t(std::min(255.0f, float(texture.texels[i]) * high));
-}
-
-} // namespace
-
 std::vector<Texture> mipChain(const Texture& texture, float alphaCutoff) {
     std::vector<Texture> chain{texture}, result{texture};
     while (chain.back().width > 1 || chain.back().height > 1)
-        chain.push_back(half(chain.back()));
+        chain.push_back(halfSize(chain.back()));
     const double wanted = alphaCutoff > 0.0f ? coverage(texture, 1.0f, alphaCutoff) : 0.0;
     for (size_t level = 1; level < chain.size(); ++level) {
         result.push_back(chain[level]);

@@ -28,4 +28,7 @@ SceneData makeSceneData(harness::Gpu& gpu, const Scene& scene, Cleanup& cleanup)
 // alpha test is kept in every mip, so that leaves do not thin out with distance.
 std::vector<Texture> mipChain(const Texture& texture, float alphaCutoff);
 
+// The next mip: half the size, rounded down, averaged in linear light.
+Texture halfSize(const Texture& fine);
+
 } // namespace scenes
