@@ -118,8 +118,9 @@ TEST(Plan, needsChooseTheSwitches) {
 }
 
 TEST(Plan, quadSharingIsForTheFragmentForm) {
-    EXPECT_EQ(valueOf(planned({}, {.stage = Stage::fragment, .preset = "lean"}), "QUAD_SHARING"), "on");
-    EXPECT_EQ(valueOf(planned({}, {.stage = Stage::compute, .preset = "lean"}), "QUAD_SHARING"), "off");
+    const std::vector<Condition> shared{{"QUAD_SHARING", "on"}};
+    EXPECT_EQ(valueOf(planned({}, {.stage = Stage::fragment, .overrides = shared}), "QUAD_SHARING"), "on");
+    EXPECT_EQ(valueOf(planned({}, {.stage = Stage::compute, .overrides = shared}), "QUAD_SHARING"), "off");
 }
 
 TEST(Plan, overridesComeAfterPresetAndNeeds) {

@@ -181,6 +181,12 @@ TEST_F(RecordErrorTest, extentsMustAgree) {
                 ErrorCode::zeroExtent, "depth");
 }
 
+TEST_F(RecordErrorTest, inputsMustBeReadableAsTheyAreRead) {
+    const auto integers = testGpu().image(VK_FORMAT_R32_UINT, size.width, size.height);
+    expectError(recorded(info(), [&](FrameInput& in) { in.colour = integers.ref; }),
+                ErrorCode::unsupportedFormat, "FrameInput::colour");
+}
+
 TEST_F(RecordErrorTest, objectsMustBeWholeAndExpected) {
     const auto buffer =
         testGpu().buffer(64, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);

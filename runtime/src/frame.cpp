@@ -172,16 +172,20 @@ Result<void> checkObjects(const Recorder& recorder, const FrameInput& input) {
     return checked;
 }
 
+Result<void> checkExternal(const Recorder& recorder, int index, const External& external) {
+    const PlannedImage& planned = recorder.plan.images[static_cast<size_t>(index)];
+    auto checked = checkImage(external.image, external.field, {planned.extent.width, planned.extent.height});
+    if (!checked) return checked;
+    return checkFormat(recorder.device, external.image->format, readFeatures(recorder.plan, index),
+                       external.field);
+}
+
 Result<void> checkInput(const Recorder& recorder, const FrameInput& input) {
-    for (const PlannedImage& planned : recorder.plan.images) {
-        if (!planned.external) continue;
+    for (size_t i = 0; i < recorder.plan.images.size(); ++i)
         for (const External& external : externals(input))
-            if (external.name == planned.name)
-                if (auto checked = checkImage(external.image, external.field,
-                                              {planned.extent.width, planned.extent.height});
-                    !checked)
+            if (recorder.plan.images[i].external && recorder.plan.images[i].name == external.name)
+                if (auto checked = checkExternal(recorder, static_cast<int>(i), external); !checked)
                     return checked;
-    }
     return checkObjects(recorder, input);
 }
 

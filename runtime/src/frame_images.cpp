@@ -24,15 +24,12 @@ bool filtersLinearly(const PassInfo& pass, std::string_view input) {
 // Every image can be copied from, so that an engine may present or inspect it.
 Use useOf(const FramePlan& plan, int image) {
     Use use{VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-            VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_TRANSFER_SRC_BIT};
+            readFeatures(plan, image) | VK_FORMAT_FEATURE_TRANSFER_SRC_BIT};
     const auto add = [&](VkImageUsageFlags usage, VkFormatFeatureFlags features) {
         use.usage |= usage;
         use.features |= features;
     };
     for (const PlannedPass& pass : plan.passes) {
-        for (size_t i = 0; i < pass.reads.size(); ++i)
-            if (pass.readImages[i] == image && filtersLinearly(*pass.variant.pass, pass.reads[i]))
-                add(0, VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT);
         if (std::ranges::find(pass.writeImages, image) == pass.writeImages.end()) continue;
         if (pass.stage == Stage::compute)
             add(VK_IMAGE_USAGE_STORAGE_BIT, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT);
@@ -109,6 +106,15 @@ Result<void> bindTogether(const Device& device, std::span<OwnedImage* const> ima
 }
 
 } // namespace
+
+VkFormatFeatureFlags readFeatures(const FramePlan& plan, int image) {
+    VkFormatFeatureFlags features = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+    for (const PlannedPass& pass : plan.passes)
+        for (size_t i = 0; i < pass.reads.size(); ++i)
+            if (pass.readImages[i] == image && filtersLinearly(*pass.variant.pass, pass.reads[i]))
+                features |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+    return features;
+}
 
 Result<FrameImages> makeFrameImages(const Device& device, const FramePlan& plan) {
     FrameImages made;

@@ -22,6 +22,9 @@ struct FrameImages {
     std::vector<std::array<OwnedImage, 2>> images;
 };
 
+// What the passes of the plan read from an image asks of its format.
+VkFormatFeatureFlags readFeatures(const FramePlan& plan, int image);
+
 // Errors: unsupportedFormat naming image and format, outOfMemory.
 Result<FrameImages> makeFrameImages(const Device& device, const FramePlan& plan);
 

@@ -110,7 +110,8 @@ std::vector<NamedImage> withAliases(const PassInfo& pass, std::span<const NamedI
     std::vector<NamedImage> all(images.begin(), images.end());
     for (const ImageInfo& input : pass.inputs) {
         const ImageRef* original = input.sameAs.empty() ? nullptr : findImage(images, input.sameAs);
-        if (original != nullptr && findImage(images, input.name) == nullptr) all.push_back({input.name, *original});
+        if (original != nullptr && findImage(images, input.name) == nullptr)
+            all.push_back({input.name, *original});
     }
     return all;
 }

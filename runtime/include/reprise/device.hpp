@@ -13,9 +13,9 @@ namespace reprise {
 
 // What the engine enabled when it created its device; Vulkan offers no way to ask.
 struct EnabledFeatures {
-    bool synchronization2 = false;                      // always needed
-    bool dynamicRendering = false;                      // needed by fragment passes
-    bool shaderStorageImageWriteWithoutFormat = false;  // needed by compute passes
+    bool synchronization2 = false;                     // always needed
+    bool dynamicRendering = false;                     // needed by fragment passes
+    bool shaderStorageImageWriteWithoutFormat = false; // needed by compute passes
 };
 
 struct BorrowedDevice {
@@ -27,7 +27,7 @@ struct BorrowedDevice {
     EnabledFeatures features;
 };
 
-struct DeviceFunctions;   // loaded through getInstanceProcAddr; see src/device_functions.hpp
+struct DeviceFunctions; // loaded through getInstanceProcAddr; see src/device_functions.hpp
 
 // Cheap to copy; the engine's device must outlive every copy.
 struct Device {
@@ -37,7 +37,8 @@ struct Device {
     std::shared_ptr<const DeviceFunctions> vk;
 };
 
-// Fails with missingFeature when synchronization2 is off or Vulkan is older than 1.3, invalidArgument on a null handle.
+// Fails with missingFeature when synchronization2 is off or Vulkan is older than 1.3, invalidArgument on a
+// null handle.
 Result<Device> borrow(const BorrowedDevice& borrowed);
 
 // An image the caller owns: one mip, one layer, one sample.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pack: the table of passes that reprisec generates from hlsl/pack.toml, and the SPIR-V of their variants.
+// The pack: the table of passes that reprisec generates from hlsl/pack.toml, and their variants' SPIR-V.
 #pragma once
 
 #include "reprise/result.hpp"
@@ -17,57 +17,64 @@ enum class Stage : uint8_t { vertex, fragment, compute };
 
 // What a binding number of descriptor set 0 holds. A sampler belongs to the texture of the same name
 // (its own name ends in _sampler) and is clamp to edge, no mipmaps, of that texture's filter.
-enum class BindingKind : uint8_t { sampledImage, pointSampler, linearSampler, storageImage, uniformBuffer, storageBuffer };
+enum class BindingKind : uint8_t {
+    sampledImage,
+    pointSampler,
+    linearSampler,
+    storageImage,
+    uniformBuffer,
+    storageBuffer
+};
 
 struct BindingInfo {
-    std::string_view name;   // the HLSL resource name; it is API
-    uint32_t binding;        // in set 0; the same in every variant of the pass
+    std::string_view name; // the HLSL resource name; it is API
+    uint32_t binding;      // in set 0; the same in every variant of the pass
     BindingKind kind;
 };
 
 struct SwitchInfo {
-    std::string_view name;                      // NEIGHBOURHOOD
-    std::span<const std::string_view> values;   // four_tap, square, rounded
-    uint8_t defaultValue;                       // index into values
-    std::string_view need;                      // which need of a scene turns it on; may be empty
+    std::string_view name;                    // NEIGHBOURHOOD
+    std::span<const std::string_view> values; // four_tap, square, rounded
+    uint8_t defaultValue;                     // index into values
+    std::string_view need;                    // which need of a scene turns it on; may be empty
     std::string_view summary;
-    std::span<const Stage> stages;              // where it has an effect; empty: in every stage
+    std::span<const Stage> stages; // where it has an effect; empty: in every stage
 };
 
-struct Condition {           // the image exists only when the switch has the value
+struct Condition { // the image exists only when the switch has the value
     std::string_view switchName;
     std::string_view value;
 };
 
 struct ImageInfo {
-    std::string_view name;   // gInColour, gOutHistory
-    std::string_view space;  // meaning, space and unit
-    std::string_view format; // recommended: r32f, rg16f, rgba16f, rgba8
-    float scale;             // of the output extent
-    std::string_view history;            // the output that becomes this input in the next frame, or empty
-    std::span<const Condition> when;     // all must hold
-    std::string_view sameAs;             // the input whose image this is too, under another filter, or empty
+    std::string_view name;           // gInColour, gOutHistory
+    std::string_view space;          // meaning, space and unit
+    std::string_view format;         // recommended: r32f, rg16f, rgba16f, rgba8
+    float scale;                     // of the output extent
+    std::string_view history;        // the output that becomes this input in the next frame, or empty
+    std::span<const Condition> when; // all must hold
+    std::string_view sameAs;         // the input whose image this is too, under another filter, or empty
 };
 
 struct PassInfo {
-    std::string_view name;                       // temporal_aa
+    std::string_view name; // temporal_aa
     std::string_view summary;
-    std::string_view source;                     // place in the documents
+    std::string_view source; // place in the documents
     std::span<const Stage> stages;
-    bool fullscreen;                             // the fragment form is drawn by the pass fullscreen's vertex shader
-    uint32_t threads[3];                         // of a compute group
-    uint32_t pixelsPerThread[2];                 // of the compute form
-    uint32_t parameterBytes;                     // size of the uniform buffer at binding 0
+    bool fullscreen;             // the fragment form is drawn by the pass fullscreen's vertex shader
+    uint32_t threads[3];         // of a compute group
+    uint32_t pixelsPerThread[2]; // of the compute form
+    uint32_t parameterBytes;     // size of the uniform buffer at binding 0
     std::span<const SwitchInfo> switches;
-    std::span<const BindingInfo> bindings;       // union over the variants
+    std::span<const BindingInfo> bindings; // union over the variants
     std::span<const ImageInfo> inputs;
-    std::span<const ImageInfo> outputs;          // fragment: SV_Target order
+    std::span<const ImageInfo> outputs; // fragment: SV_Target order
 };
 
 struct PresetInfo {
-    std::string_view name;                       // best
+    std::string_view name; // best
     std::string_view summary;
-    std::span<const Condition> switches;         // differences from the defaults
+    std::span<const Condition> switches; // differences from the defaults
 };
 
 // The value of each switch of a pass, in the order of the table. Empty means all defaults.
@@ -84,11 +91,12 @@ std::string_view switchValue(const Variant& variant, std::string_view switchName
 bool exists(const Variant& variant, const ImageInfo& image);
 
 // Canonical name: the pass, then each switch off its default in table order, in lower case:
-// "temporal_aa--neighbourhood-square--colour_space-ycocg". Files are NAME.STAGE.spv with stage vert, frag or comp.
+// "temporal_aa--neighbourhood-square--colour_space-ycocg". Files are NAME.STAGE.spv, STAGE
+// being vert, frag or comp.
 std::string variantName(const Variant& variant);
-// The same variant with every switch that has no effect in `stage` at its default. File names are of this form.
+// The variant with every switch that has no effect in `stage` at its default: the form of file names.
 Variant forStage(const Variant& variant, Stage stage);
-std::string_view stageName(Stage stage);   // vert, frag or comp
+std::string_view stageName(Stage stage); // vert, frag or comp
 std::string spirvFileName(const Variant& variant, Stage stage);
 
 // Gives the SPIR-V of a variant: from a directory, from memory, or compiled on demand.

@@ -15,8 +15,9 @@ namespace reprise {
 // Descriptors and parameter memory for the passes recorded in one frame slot. Not thread safe.
 class FrameArena {
 public:
-    // slots: frames in flight. passes: most passes recorded in one frame. parameterBytes: their parameters, summed.
-    static Result<FrameArena> create(const Device& device, uint32_t slots, uint32_t passes, uint32_t parameterBytes);
+    // slots: frames in flight. passes: most of them in one frame. parameterBytes: their parameters, summed.
+    static Result<FrameArena> create(const Device& device, uint32_t slots, uint32_t passes,
+                                     uint32_t parameterBytes);
     FrameArena(FrameArena&&) noexcept;
     FrameArena& operator=(FrameArena&&) noexcept;
     ~FrameArena();
@@ -25,14 +26,14 @@ public:
     Result<void> begin(uint32_t slot);
 
 private:
-    friend struct ArenaAccess;   // the runtime's own sources
+    friend struct ArenaAccess; // the runtime's own sources
     struct State;
     explicit FrameArena(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
 
 struct NamedImage {
-    std::string_view name;   // resource name of the table: gInColour, gOutHistory
+    std::string_view name; // resource name of the table: gInColour, gOutHistory
     ImageRef image;
 };
 
@@ -49,7 +50,8 @@ public:
     // outputFormats: one per existing output in table order; ignored by compute.
     // Errors: missingFeature, unsupportedFormat (with the format's and the output's name), badShader.
     static Result<PassPipeline> create(const Device& device, const Variant& variant, Stage stage,
-                                       std::span<const uint32_t> spirv, std::span<const uint32_t> fullscreenVertex,
+                                       std::span<const uint32_t> spirv,
+                                       std::span<const uint32_t> fullscreenVertex,
                                        std::span<const VkFormat> outputFormats);
     PassPipeline(PassPipeline&&) noexcept;
     PassPipeline& operator=(PassPipeline&&) noexcept;
@@ -57,7 +59,7 @@ public:
 
     // Records the pass over the whole extent of its first output. No barriers: inputs are in
     // SHADER_READ_ONLY_OPTIMAL; outputs in COLOR_ATTACHMENT_OPTIMAL (fragment) or GENERAL (compute).
-    // Errors: missingInput naming the resource, zeroExtent, invalidArgument (parameter size, extents that differ).
+    // Errors: missingInput naming the resource, zeroExtent, invalidArgument (parameter size, extents).
     Result<void> record(VkCommandBuffer commands, FrameArena& arena, std::span<const NamedImage> images,
                         std::span<const NamedBuffer> buffers, std::span<const std::byte> parameters) const;
 
@@ -67,7 +69,7 @@ public:
     std::span<const BindingInfo> bindings() const;
 
 private:
-    friend struct PassAccess;   // the runtime's own sources
+    friend struct PassAccess; // the runtime's own sources
     struct State;
     explicit PassPipeline(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
