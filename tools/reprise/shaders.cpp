@@ -38,7 +38,8 @@ reprisec::Reflection reflectionOf(const nlohmann::json& json) {
         for (const auto& m : parameters.at("members"))
             reflection.parameters.push_back({m.at("name"), m.at("type"), m.at("offset"), m.at("bytes")});
     }
-    reflection.colourOutputs = json.value("colourOutputs", 0u);
+    const auto& outputs = json.at("colourOutputs"); // null outside fragment shaders
+    reflection.colourOutputs = outputs.is_null() ? 0u : outputs.get<uint32_t>();
     return reflection;
 }
 

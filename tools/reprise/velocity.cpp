@@ -122,6 +122,12 @@ StaticAndMoving runVelocity(Experiment& e, scenes::Renderer& renderer, Stage sta
     return errors;
 }
 
+std::string fileOf(const reprisec::Pack& pack, std::string_view technique, Stage stage) {
+    const auto variant = reprise::makeVariant(pack.passes(), technique);
+    if (!variant) throw std::runtime_error(variant.error().message);
+    return reprise::spirvFileName(*variant, stage);
+}
+
 Row velocityRow(Experiment& e, std::string_view technique, const std::string& scene, Stage stage,
                 const MotionError& error) {
     Row row;
@@ -129,6 +135,7 @@ Row velocityRow(Experiment& e, std::string_view technique, const std::string& sc
     row.variant = "default";
     row.scene = scene;
     row.stage = stageText(stage);
+    row.file = fileOf(e.shaders.pack(), technique, stage);
     row.jitter = "halton16";
     row.width = e.plan.timingSize.width;
     row.height = e.plan.timingSize.height;
