@@ -193,10 +193,11 @@ Resolved resolveFourTap(float2 uv, float2 motion, float3 history) {
 
 #if STAGE_COMPUTE
 
-// --- Compute: a thread resolves a column of pixels, so that a row of texels is read once for the pixels above,
-// on and below it, and neighbouring threads read neighbouring texels. It is bound by its texture reads, not by
-// its arithmetic: 2x2 pixels a thread read as little, but two texels apart, and group-shared tiles wait at
-// their barrier; both were slower. The chain of depth, motion and history goes first, its waits the longest.
+// --- Compute: a thread resolves a column of pixels, so that a row of texels is read once for the pixels
+// above, on and below it, and neighbouring threads read neighbouring texels. It is bound by its texture
+// reads, not by its arithmetic: 2x2 pixels a thread read as little, but two texels apart, and group-shared
+// tiles wait at their barrier; both were slower. The chain of depth, motion and history goes first, its waits
+// the longest.
 
 static const int COLUMN = 6;   // pixels_per_thread of the table
 
