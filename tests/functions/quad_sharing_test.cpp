@@ -82,5 +82,44 @@ TEST(QuadSharing, wrongDirectionOrSignIsCaught) {
               "");
 }
 
+// In compute the other invocation of a row is the neighbour in the group: rows of inputs 2 k and 2 k + 1.
+std::string wrongInvocations(const Mutation& mutation = {}) {
+    Random random(4);
+    std::vector<Row> rows;
+    for (int i = 0; i < 512; ++i)
+        rows.push_back({random.colour()});
+    for (size_t i = 0; i < 64; ++i)
+        rows[i * 5][0].x = random.of(hostileAny);
+    const Function function{
+        "quad sharing in compute",
+        {header},
+        "float2 side = quadSide(float2(thread.xy) + 0.5); out0.xyz = quadSwapX(in0.xyz, side);"
+        "out1.xy = quadSwapX(in0.xy, side);",
+        1,
+        2};
+    const auto out = run(function, rows, {.mutation = mutation});
+    const auto same = [](float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const vec4 other = rows[i ^ 1][0]; // copied: exact, also NaN
+        for (int c = 0; c < 3; ++c)
+            if (!same(out[i][0][c], other[c]) || (c < 2 && !same(out[i][1][c], other[c])))
+                return "invocation " + std::to_string(i) + " has " + std::to_string(out[i][0][c]) + " for " +
+                       std::to_string(other[c]);
+    }
+    return "";
+}
+
+TEST(QuadSharing, computeTakesTheNeighboursValueExactly) {
+    EXPECT_EQ(wrongInvocations(), "");
+}
+
+TEST(QuadSharing, readAcrossTheOtherAxisIsCaughtInCompute) {
+    EXPECT_NE(
+        wrongInvocations(
+            {header, "float3 quadSwapX(float3 value, float2 side) {\n    return QuadReadAcrossX(value);",
+             "float3 quadSwapX(float3 value, float2 side) {\n    return QuadReadAcrossY(value);"}),
+        "");
+}
+
 } // namespace
 } // namespace functions
