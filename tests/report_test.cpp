@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the report does without measuring: rows from the table, floors from reflection, files, page, progress.
+#include "commands.hpp"
+#include "floors.hpp"
+#include "page.hpp"
+#include "parallel.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <set>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace {
+
+using namespace report;
+namespace fs = std::filesystem;
+using reprise::Stage;
+
+const reprisec::Pack& pack() {
+    static const auto loaded = reprisec::Pack::load("hlsl/pack.toml");
+    if (!loaded) throw std::runtime_error(loaded.error().message);
+    return *loaded;
+}
+
+reprise::Variant preset(std::string_view name) {
+    auto variant = pack().preset("temporal_aa", name);
+    if (!variant) throw std::runtime_error(variant.error().message);
+    return *variant;
+}
+
+struct TemporaryFolder {
+    fs::path path;
+    TemporaryFolder() {
+        static int count = 0;
+        path = fs::temp_directory_path() /
+               ("reprise-report-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+        fs::create_directories(path);
+    }
+    ~TemporaryFolder() { fs::remove_all(path); }
+};
+
+std::string contents(const fs::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string messageOf(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const std::exception& failure) {
+        return failure.what();
+    }
+    return "";
+}
+
+Row timedRow(std::string variant, double ms, double flip) {
+    Row row;
+    row.technique = "temporal_aa";
+    row.variant = std::move(variant);
+    row.scene = "scene";
+    row.stage = "compute";
+    row.gpu = Timing{ms, ms, ms, 1};
+    row.error.flip = flip;
+    return row;
+}
+
+Report smallReport() {
+    Report report;
+    report.device = {{"name", "a </script> device"}, {"driver", "d"}, {"type", "cpu"}};
+    report.settings = {{"frames", 2}};
+    report.floors.push_back({"copy, compute", {1, 2, 3, 9}, 4.0});
+    report.rows = {timedRow("fast", 1.0, 0.2), timedRow("good", 2.0, 0.1), timedRow("worse", 2.0, 0.3)};
+    report.rows.push_back({});
+    report.claims.push_back({"I1", "INSIDE", "a, \"claim\"", {}, nullptr, {}});
+    report.pictures.push_back({"a scene/../x", 1, {{"truth", {1, 2, 3}}}});
+    return report;
+}
+
+TEST(ReportRows, flipEverySwitchThatIsAChoiceExactlyOnce) {
+    const std::vector<std::string> flipped{"inside"};
+    const auto base = reprise::forStage(preset("inside"), Stage::fragment);
+    std::set<std::pair<size_t, uint8_t>> flips;
+    for (const RowSpec& row : temporalRows(pack(), Stage::fragment, flipped)) {
+        if (!row.label.starts_with("inside + ")) continue;
+        size_t differences = 0;
+        for (size_t i = 0; i < base.values.size(); ++i)
+            if (row.variant->values[i] != base.values[i])
+                ++differences, flips.insert({i, row.variant->values[i]});
+        EXPECT_EQ(1u, differences) << row.label;
+    }
+    size_t expected = 0;
+    for (const auto& info : base.pass->switches)
+        if (!describesInput(info)) expected += info.values.size() - 1;
+    EXPECT_EQ(expected, flips.size());
+}
+
+TEST(ReportRows, leaveOutWhatHasNoEffectInTheStage) {
+    const std::vector<std::string> flipped{"inside"};
+    for (const RowSpec& row : temporalRows(pack(), Stage::compute, flipped)) {
+        if (!row.variant) continue;
+        const auto normal = reprise::forStage(*row.variant, Stage::compute);
+        EXPECT_EQ(normal.values, row.variant->values) << row.label;
+    }
+}
+
+TEST(ReportRows, haveNonePresetsSequencesAndTheUntoldCut) {
+    std::set<std::string> labels;
+    for (const RowSpec& row : temporalRows(pack(), Stage::fragment, {}))
+        labels.insert(row.label);
+    for (const char* label :
+         {"none", "inside", "best", "lean", "inside, jitter none", "inside, jitter halton8",
+          "inside, jitter uniform4_helix", "inside, cut untold"})
+        EXPECT_TRUE(labels.contains(label)) << label;
+}
+
+TEST(Floors, offsetsAreDistinctWhileThereIsRoom) {
+    const uint32_t one[2] = {1, 1}, four[2] = {2, 2};
+    const auto offsets = readOffsets(9, one, 1);
+    for (size_t i = 0; i < offsets.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+            EXPECT_FALSE(offsets[i] == offsets[j]) << i << " and " << j;
+    EXPECT_EQ((Offset{0, 0}), offsets.front());
+    for (const Offset& o : readOffsets(4, four, 1)) { // one read a pixel: the four pixels themselves
+        EXPECT_TRUE(o.x >= 0 && o.x <= 1 && o.y >= 0 && o.y <= 1) << o.x << ", " << o.y;
+    }
+}
+
+// The floor is worth something only if the compiler keeps what was asked for.
+void expectFloorReadsWhatThePassReads(const reprise::Variant& variant, Stage stage) {
+    const auto pass = reprisec::compile(pack(), variant, stage, {.glsl = false, .platformSwitches = {}});
+    ASSERT_TRUE(pass) << pass.error().message;
+    const auto floor = compileText("floor", floorSource(variant, stage, pass->reflection, 641, 359), stage);
+    for (const auto& use : pass->reflection.bindings) {
+        const auto same = std::find_if(floor.reflection.bindings.begin(), floor.reflection.bindings.end(),
+                                       [&](const auto& f) { return f.binding == use.binding; });
+        ASSERT_NE(floor.reflection.bindings.end(), same) << use.name;
+        EXPECT_EQ(use.samples, same->samples) << use.name;
+        EXPECT_EQ(use.gathers, same->gathers) << use.name;
+        EXPECT_EQ(use.fetches, same->fetches) << use.name;
+        EXPECT_EQ(use.stores, same->stores) << use.name;
+        // Which filter a sampler has is the table's word, not the module's.
+        if (!use.name.ends_with("_sampler")) {
+            EXPECT_EQ(use.kind, same->kind) << use.name;
+        }
+    }
+    EXPECT_EQ(pass->reflection.bindings.size(), floor.reflection.bindings.size());
+    EXPECT_EQ(pass->reflection.colourOutputs, floor.reflection.colourOutputs);
+}
+
+TEST(Floors, haveTheReadsAndWritesOfTheirPass) {
+    for (const char* name : {"inside", "best", "lean"})
+        for (Stage stage : {Stage::fragment, Stage::compute}) {
+            SCOPED_TRACE(std::string(name) + ", " + stageText(stage));
+            expectFloorReadsWhatThePassReads(reprise::forStage(preset(name), stage), stage);
+        }
+    const auto camera = reprise::makeVariant(pack().passes(), "camera_velocity");
+    ASSERT_TRUE(camera);
+    for (Stage stage : {Stage::fragment, Stage::compute})
+        expectFloorReadsWhatThePassReads(*camera, stage);
+}
+
+TEST(Results, theFrontHasWhatNoOtherRowBeats) {
+    Report report = smallReport();
+    markPareto(report.rows);
+    EXPECT_TRUE(report.rows[0].pareto.value());
+    EXPECT_TRUE(report.rows[1].pareto.value());
+    EXPECT_FALSE(report.rows[2].pareto.value());
+    EXPECT_FALSE(report.rows[3].pareto.has_value()); // neither time nor error
+}
+
+TEST(Results, medianOfEvenAndOddCounts) {
+    EXPECT_DOUBLE_EQ(2.0, timingOf({3.0, 1.0, 2.0}).median);
+    EXPECT_DOUBLE_EQ(2.5, timingOf({4.0, 1.0, 2.0, 3.0}).median);
+    EXPECT_DOUBLE_EQ(4.0, timingOf({4.0, 1.0}).max);
+}
+
+TEST(Results, everyFieldOfTheSchemaIsThereEvenIfItDoesNotApply) {
+    const Json json = toJson(smallReport());
+    for (const char* key : {"schema", "device", "settings", "floors", "rows", "claims"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    for (const Json& row : json["rows"])
+        for (const char* key : {"technique", "variant", "scene", "stage", "width", "height", "frames",
+                                "gpu_ms", "passes", "memory_bytes", "reads_per_pixel", "error", "reference",
+                                "pareto", "efficiency", "floor_ms", "per_frame"})
+            EXPECT_TRUE(row.contains(key)) << key;
+    const Json& empty = json["rows"][3];
+    EXPECT_TRUE(empty["gpu_ms"].is_null());
+    EXPECT_TRUE(empty["error"]["flip"].is_null());
+    EXPECT_TRUE(json["claims"][0]["holds"].is_null());
+}
+
+TEST(Results, csvHasOneLineARowAndAsManyFieldsAsItsHead) {
+    Report report = smallReport();
+    report.rows[0].variant = "a, \"b\"";
+    std::istringstream lines(toCsv(report));
+    std::string head, first;
+    std::getline(lines, head);
+    std::getline(lines, first);
+    EXPECT_NE(std::string::npos, first.find("\"a, \"\"b\"\"\""));
+    const auto commas = [](const std::string& s) { return std::count(s.begin(), s.end(), ','); };
+    EXPECT_EQ(commas(head) + 1, commas(first)); // one is inside the quotes
+}
+
+TEST(Results, writesAllFilesAndReplacesAnEarlierReport) {
+    const TemporaryFolder folder;
+    const fs::path out = folder.path / "report";
+    writeReport(smallReport(), out);
+    Report second = smallReport();
+    second.rows.clear();
+    checkWritable(out);
+    writeReport(second, out);
+    EXPECT_EQ(0u, Json::parse(contents(out / "report.json"))["rows"].size());
+    for (const char* name : {"report.csv", "index.html", "a-scene----x-truth.png"})
+        EXPECT_TRUE(fs::exists(out / name)) << name;
+    EXPECT_EQ(
+        1, std::distance(fs::directory_iterator(folder.path), fs::directory_iterator())); // nothing beside it
+}
+
+TEST(Results, refusesADirectoryThatIsNoReportAndAFile) {
+    const TemporaryFolder folder;
+    writeFile(folder.path / "thesis.tex", "work");
+    EXPECT_NE("", messageOf([&] { checkWritable(folder.path); }));
+    EXPECT_NE("", messageOf([&] { checkWritable(folder.path / "thesis.tex"); }));
+    EXPECT_NE("", messageOf([&] { checkWritable("/proc/report"); }));
+    EXPECT_TRUE(fs::exists(folder.path / "thesis.tex"));
+}
+
+TEST(Page, isOneFileWithItsDataAndNothingFromOutside) {
+    const std::string html = pageHtml(smallReport());
+    EXPECT_EQ(std::string::npos, html.find("http://"));
+    EXPECT_EQ(std::string::npos, html.find("https://"));
+    EXPECT_EQ(std::string::npos, html.find("src=\""));
+    EXPECT_EQ(std::string::npos, html.find("a </script> device")); // data cannot end its element
+    EXPECT_NE(std::string::npos, html.find("data:image/png;base64,AQID"));
+    for (const char* mark : {"/*style*/", "/*charts*/", "/*script*/", "/*pictures*/", "/*data*/"})
+        EXPECT_EQ(std::string::npos, html.find(mark)) << mark;
+}
+
+TEST(Page, base64FollowsItsStandard) {
+    const auto encoded = [](std::string_view text) {
+        return base64({reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+    };
+    EXPECT_EQ("", encoded(""));
+    EXPECT_EQ("Zg==", encoded("f"));
+    EXPECT_EQ("Zm8=", encoded("fo"));
+    EXPECT_EQ("Zm9vYmFy", encoded("foobar"));
+}
+
+TEST(ProgressBar, showsShareAndTimeLeft) {
+    EXPECT_EQ("[############............]  50 %  0:10 left  scene", progressLine(0.5, 10.0, "scene", true));
+    EXPECT_EQ("100 %  1:05 in all", progressLine(1.0, 65.0, "", false));
+    EXPECT_EQ("  0 %", progressLine(0.0, 1.0, "", false));
+}
+
+TEST(Arguments, sizesAreCheckedInOneSentence) {
+    EXPECT_EQ(1280u, parseSize("1280x720").width);
+    for (const char* bad : {"", "x", "0x4", "4x0", "12", "12x", "x12", "-1x4", "1e3x4", "4x4x4", "99999x9"}) {
+        const std::string message = messageOf([&] { parseSize(bad); });
+        EXPECT_NE(std::string::npos, message.find("--size")) << bad;
+        EXPECT_EQ(std::string::npos, message.find('\n')) << bad;
+    }
+}
+
+TEST(Arguments, unknownNamesListTheKnownOnes) {
+    EXPECT_NE(std::string::npos, messageOf([] { findScene("no_such_scene"); }).find("thin_geometry"));
+    EXPECT_NE(std::string::npos, messageOf([] { parseStages("pixel"); }).find("fragment, compute, both"));
+    ReportOptions options;
+    options.technique = "magic";
+    EXPECT_NE(std::string::npos, messageOf([&] { makePlan(options, pack()); }).find("temporal_aa"));
+    options = {};
+    options.flips = {"magic"};
+    EXPECT_NE(std::string::npos, messageOf([&] { makePlan(options, pack()); }).find("inside"));
+}
+
+TEST(Arguments, quickIsSmallerThanTheDefault) {
+    ReportOptions options;
+    const Plan full = makePlan(options, pack());
+    options.quick = true;
+    const Plan quick = makePlan(options, pack());
+    EXPECT_LT(quick.errorSize.width, full.errorSize.width);
+    EXPECT_LT(quick.frames, full.frames);
+    EXPECT_GE(quick.rounds, 9u);
+    EXPECT_GE(full.rounds, 15u);
+    EXPECT_GE(full.scenes.size(), 5u);
+}
+
+TEST(Parameters, areLaidOutByNameAndAMissingOneIsAnError) {
+    reprisec::Reflection reflection;
+    reflection.parameters = {{"gA", "float", 4, 4}};
+    const auto bytes = packParameters(reflection, 16, {{"gA", {2.5f}}});
+    float value = 0.0f;
+    std::memcpy(&value, bytes.data() + 4, sizeof value);
+    EXPECT_EQ(2.5f, value);
+    EXPECT_NE(std::string::npos, messageOf([&] { packParameters(reflection, 16, {}); }).find("gA"));
+}
+
+TEST(ParallelFor, doesAllAndThrowsTheFirstFailure) {
+    std::vector<int> done(1000);
+    parallelFor(done.size(), [&](size_t i) { done[i] = 1; });
+    EXPECT_EQ(1000, std::count(done.begin(), done.end(), 1));
+    EXPECT_EQ("stop", messageOf([] {
+                  parallelFor(9, [](size_t i) {
+                      if (i == 5) throw std::runtime_error("stop");
+                  });
+              }));
+    parallelFor(0, [](size_t) { FAIL(); });
+}
+
+} // namespace
