@@ -183,7 +183,6 @@ inline constexpr std::string_view temporal_aa_HDR_WEIGHT_values[] = {"off", "on"
 inline constexpr std::string_view temporal_aa_HISTORY_FILTER_values[] = {"bilinear", "bicubic"};
 inline constexpr std::string_view temporal_aa_DEPTH_REVERSED_values[] = {"off", "on"};
 inline constexpr std::string_view temporal_aa_QUAD_SHARING_values[] = {"off", "on"};
-inline constexpr Stage temporal_aa_QUAD_SHARING_stages[] = {Stage::fragment};
 inline constexpr SwitchInfo temporal_aa_switches[] = {
     {"MOTION", temporal_aa_MOTION_values, 1, "the camera or an object moves",
      "history is fetched along gInVelocity; off: at the same place", {}},
@@ -207,8 +206,8 @@ inline constexpr SwitchInfo temporal_aa_switches[] = {
      "resampling of history; bicubic in five bilinear fetches", {}},
     {"DEPTH_REVERSED", temporal_aa_DEPTH_REVERSED_values, 0, "device depth is reversed",
      "closest is the largest depth", {}},
-    {"QUAD_SHARING", temporal_aa_QUAD_SHARING_values, 0, "",
-     "each pixel of a 2x2 quad reads a quarter of the 4x4 footprint and takes the rest by derivatives", temporal_aa_QUAD_SHARING_stages},
+    {"QUAD_SHARING", temporal_aa_QUAD_SHARING_values, 0, "a device with quad operations in compute; nothing in a fragment shader",
+     "each invocation of a 2x2 quad reads its outer texels and takes the inner ones from its neighbours", {}},
 };
 inline constexpr BindingInfo temporal_aa_bindings[] = {
     {"TemporalAaParameters", 0, BindingKind::uniformBuffer},
@@ -260,12 +259,12 @@ inline constexpr PackModule temporal_aa_modules[] = {
      "", ""},
     {"temporal_aa--colour_space-ycocg--unjitter-gaussian--feedback-luminance--motion_blur_fallback-off--hdr_weight-on--history_filter-bicubic--quad_sharing-on", Stage::fragment,
      "", "GLSL ES 3.00 cannot express it: textureGather requires ESSL 310."},
-    {"temporal_aa--colour_space-ycocg--unjitter-gaussian--feedback-luminance--motion_blur_fallback-off--hdr_weight-on--history_filter-bicubic", Stage::compute,
-     "", ""},
+    {"temporal_aa--colour_space-ycocg--unjitter-gaussian--feedback-luminance--motion_blur_fallback-off--hdr_weight-on--history_filter-bicubic--quad_sharing-on", Stage::compute,
+     "GLSL 4.50 cannot express it: This subgroup operation is only supported in Vulkan semantics.", "GLSL ES 3.10 cannot express it: This subgroup operation is only supported in Vulkan semantics."},
     {"temporal_aa--unjitter-off--feedback-luminance--motion_blur_fallback-off--quad_sharing-on", Stage::fragment,
      "", "GLSL ES 3.00 cannot express it: textureGather requires ESSL 310."},
-    {"temporal_aa--unjitter-off--feedback-luminance--motion_blur_fallback-off", Stage::compute,
-     "", ""},
+    {"temporal_aa--unjitter-off--feedback-luminance--motion_blur_fallback-off--quad_sharing-on", Stage::compute,
+     "GLSL 4.50 cannot express it: This subgroup operation is only supported in Vulkan semantics.", "GLSL ES 3.10 cannot express it: This subgroup operation is only supported in Vulkan semantics."},
     {"temporal_aa--motion-off", Stage::fragment,
      "", ""},
     {"temporal_aa--motion-off", Stage::compute,
@@ -332,6 +331,8 @@ inline constexpr PackModule temporal_aa_modules[] = {
      "", ""},
     {"temporal_aa--quad_sharing-on", Stage::fragment,
      "", "GLSL ES 3.00 cannot express it: textureGather requires ESSL 310."},
+    {"temporal_aa--quad_sharing-on", Stage::compute,
+     "GLSL 4.50 cannot express it: This subgroup operation is only supported in Vulkan semantics.", "GLSL ES 3.10 cannot express it: This subgroup operation is only supported in Vulkan semantics."},
 };
 inline constexpr PassInfo passes[] = {
     {"fullscreen", "The triangle that covers the viewport, for the fragment form of every full-screen pass",
@@ -348,7 +349,7 @@ inline constexpr PassInfo passes[] = {
      object_velocity_bindings, object_velocity_inputs, object_velocity_outputs},
     {"temporal_aa", "Temporal reprojection anti-aliasing",
      "INSIDE, I1 to I9", temporal_aa_stages, true,
-     {16, 4, 1}, {1, 4}, 64, temporal_aa_switches,
+     {32, 4, 1}, {1, 6}, 64, temporal_aa_switches,
      temporal_aa_bindings, temporal_aa_inputs, temporal_aa_outputs},
 };
 
