@@ -7,7 +7,6 @@
 #include <glslang/SPIRV/GlslangToSpv.h>
 
 #include <memory>
-#include <regex>
 #include <sstream>
 
 namespace reprisec {
@@ -67,21 +66,16 @@ private:
 
 // glslang's log as one sentence: "file:line: message", and how many more there are.
 std::string firstError(const std::string& log) {
-    static const std::regex located(R"(ERROR: (.*?):(\d+): (.*))");
-    static const std::regex plain(R"(ERROR: (.*))");
+    constexpr std::string_view mark = "ERROR: ";
     std::string first;
     int more = 0;
     std::istringstream lines(log);
     for (std::string line; std::getline(lines, line);) {
-        std::smatch match;
-        if (line.find(" compilation errors.") != std::string::npos) continue;
-        if (!std::regex_match(line, match, plain)) continue;
-        if (!first.empty())
-            ++more;
-        else if (std::regex_match(line, match, located))
-            first = match[1].str() + ":" + match[2].str() + ": " + match[3].str();
+        if (!line.starts_with(mark) || line.find(" compilation errors.") != std::string::npos) continue;
+        if (first.empty())
+            first = line.substr(mark.size());
         else
-            first = line.substr(7);
+            ++more;
     }
     if (first.empty()) first = log.empty() ? "glslang gave no message" : log.substr(0, log.find('\n'));
     while (first.ends_with(' '))
