@@ -254,4 +254,34 @@ inline dvec2 cameraVelocity(const CameraVelocity& pass, int x, int y, double dep
     return uv - reprojectLinearDepth(uv, linear, pass.current, pass.previous, pass.sharesY);
 }
 
+// Unjittered clip positions of a triangle in both frames, each with w > 0.
+struct MovingTriangle {
+    std::array<dvec4, 3> clip, prevClip;
+};
+
+// Perspective-correct weights of the vertices at a place of the image: sum b (xy - ndc w) = 0, sum b = 1.
+inline dvec3 barycentrics(const MovingTriangle& triangle, dvec2 ndc) {
+    glm::dmat3 rows(1.0);
+    for (int i = 0; i < 3; ++i) {
+        dvec4 clip = triangle.clip[static_cast<size_t>(i)];
+        rows[i] = {clip.x - ndc.x * clip.w, clip.y - ndc.y * clip.w, 1.0};
+    }
+    return glm::inverse(rows) * dvec3(0.0, 0.0, 1.0);
+}
+
+inline bool covers(const MovingTriangle& triangle, dvec2 ndc) {
+    dvec3 weights = barycentrics(triangle, ndc);
+    return weights.x >= 0.0 && weights.y >= 0.0 && weights.z >= 0.0;
+}
+
+inline dvec4 interpolated(const std::array<dvec4, 3>& vertices, dvec3 weights) {
+    return weights.x * vertices[0] + weights.y * vertices[1] + weights.z * vertices[2];
+}
+
+// currUv - prevUv of the point of the triangle seen at ndc (unjittered).
+inline dvec2 objectVelocity(const MovingTriangle& triangle, dvec2 ndc) {
+    dvec3 weights = barycentrics(triangle, ndc);
+    return motionFromClip(interpolated(triangle.clip, weights), interpolated(triangle.prevClip, weights));
+}
+
 } // namespace oracle

@@ -64,11 +64,10 @@ public:
                                    int height) {
         return run(inputs, std::as_bytes(std::span(&parameters, 1)), width, height);
     }
-
-private:
     std::vector<Pixels> run(std::span<const NamedPixels> inputs, std::span<const std::byte> parameters, int width,
                             int height);
 
+private:
     Variant variant_;
     std::vector<std::string_view> outputNames_;
     std::vector<VkFormat> outputFormats_;

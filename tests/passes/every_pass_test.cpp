@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every pass of the table has a check that executes it, in every stage that it has. A pass without one does not
+// compile; a check that compares nothing does not pass.
+#include "camera_case.hpp"
+#include "fullscreen_case.hpp"
+#include "object_case.hpp"
+#include "temporal_aa_case.hpp"
+
+#include <algorithm>
+
+namespace passes {
+namespace {
+
+Comparison checkFullscreen(Stage) {
+    return comparePositions(33, 17);
+}
+
+Comparison checkCameraVelocity(Stage stage) {
+    Pass pass(variantOf(pack(), "camera_velocity"), stage);
+    const CameraCase frame = randomCameraCase({}, false, 33, 17, 51);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+// Its two stages are executed together.
+Comparison checkObjectVelocity(Stage) {
+    const ObjectCase object;
+    return compareWithOracle(object, recordedMotion(object));
+}
+
+Comparison checkTemporalAa(Stage stage) {
+    const Variant variant = variantOf(pack(), "temporal_aa");
+    Pass pass(variant, stage);
+    const TemporalAaFrame frame = randomFrame(33, 17, 52);
+    return compareWithOracle(variant, frame, run(pass, frame));
+}
+
+struct PassCheck {
+    std::string_view pass;
+    Comparison (*run)(Stage);
+};
+
+// One line for each pass of pack.toml.
+constexpr PassCheck checks[] = {
+    {"fullscreen", checkFullscreen},
+    {"camera_velocity", checkCameraVelocity},
+    {"object_velocity", checkObjectVelocity},
+    {"temporal_aa", checkTemporalAa},
+};
+
+constexpr const PassCheck* checkOf(std::string_view pass) {
+    for (const PassCheck& check : checks)
+        if (check.pass == pass) return &check;
+    return nullptr;
+}
+
+constexpr bool everyPassHasACheck() {
+    for (const auto& pass : reprise::generated::passes)
+        if (checkOf(pass.name) == nullptr) return false;
+    return true;
+}
+static_assert(everyPassHasACheck(), "A pass of generated/include/reprise/pack_table.hpp has no line in `checks`.");
+
+class EveryPass : public PassTest {};
+
+TEST_F(EveryPass, isExecutedInEachOfItsStages) {
+    for (const auto& pass : pack().passes()) {
+        const PassCheck* check = checkOf(pass.name);
+        ASSERT_NE(check, nullptr) << pass.name << " is in pack.toml and has no line in `checks`; run reprisec too";
+        EXPECT_FALSE(pass.stages.empty()) << pass.name;
+        for (const Stage stage : pass.stages) {
+            const Comparison result = check->run(stage);
+            EXPECT_TRUE(result.holds()) << pass.name << ", " << stageText(stage) << ": " << text(result);
+        }
+    }
+}
+
+TEST_F(EveryPass, ofTheChecksIsInTheTable) {
+    for (const PassCheck& check : checks)
+        EXPECT_TRUE(std::ranges::any_of(pack().passes(), [&](const auto& pass) { return pass.name == check.pass; }))
+            << check.pass;
+}
+
+} // namespace
+} // namespace passes

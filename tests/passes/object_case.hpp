@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// A moving triangle, rigid or skinned, drawn by the recorder over the camera's motion.
+#pragma once
+
+#include "camera_case.hpp"
+#include "reprise/frame.hpp"
+
+namespace passes {
+
+struct ObjectCase {
+    bool skinned = false;
+    Stage stage = Stage::fragment;   // of the full-screen passes around it
+    CameraKind kind{};
+    glm::dvec2 jitterPx{0.28125, -0.34375};
+    int width = 64, height = 48;
+    int occludedColumns = 0;         // of the left, where the scene's depth is nearer than the object
+};
+
+// The recorder's motion image of the second of two frames. `from` is the pack that gives its modules.
+Pixels recordedMotion(const ObjectCase& object, const reprisec::Pack& from = pack());
+// The whole image against the oracle: the object's motion where it is seen, the camera's elsewhere.
+Comparison compareWithOracle(const ObjectCase& object, const Pixels& motion);
+
+} // namespace passes
