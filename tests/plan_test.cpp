@@ -117,10 +117,15 @@ TEST(Plan, needsChooseTheSwitches) {
     EXPECT_EQ(switchValue(plan.passes.front().variant, "DEPTH_LINEAR"), "on");
 }
 
-TEST(Plan, quadSharingIsForTheFragmentForm) {
+TEST(Plan, quadsShareReadsInComputeWhereTheDeviceLetsThem) {
     const std::vector<Condition> shared{{"QUAD_SHARING", "on"}};
-    EXPECT_EQ(valueOf(planned({}, {.stage = Stage::fragment, .overrides = shared}), "QUAD_SHARING"), "on");
-    EXPECT_EQ(valueOf(planned({}, {.stage = Stage::compute, .overrides = shared}), "QUAD_SHARING"), "off");
+    const auto plannedFor = [&](Stage stage, bool quads) {
+        return planned({}, {.stage = stage, .overrides = shared, .quadOperations = quads});
+    };
+    EXPECT_EQ(valueOf(plannedFor(Stage::fragment, false), "QUAD_SHARING"), "on") << "by derivatives";
+    EXPECT_EQ(valueOf(plannedFor(Stage::compute, true), "QUAD_SHARING"), "on");
+    EXPECT_EQ(valueOf(plannedFor(Stage::compute, false), "QUAD_SHARING"), "off");
+    EXPECT_NE(reasonFor(plannedFor(Stage::compute, false), "temporal_aa: QUAD_SHARING"), "");
 }
 
 TEST(Plan, overridesComeAfterPresetAndNeeds) {

@@ -141,6 +141,23 @@ TEST_F(ErrorTest, aBindingThatTheTableLacksIsNamed) {
                 ErrorCode::badShader, "binding 21");
 }
 
+// A recorder does without; a pass made by hand says so.
+TEST_F(ErrorTest, quadOperationsAreNotTakenForGranted) {
+    Device device = testGpu().device();
+    device.quadOperations = false;
+    auto wanted = info();
+    wanted.settings.overrides = {{"QUAD_SHARING", "on"}};
+    const auto recorder = tryRecorder(wanted, device);
+    ASSERT_TRUE(recorder) << recorder.error().message;
+    EXPECT_EQ(switchValue(recorder->plan().passes.back().variant, "QUAD_SHARING"), "off");
+    auto variant = makeVariant(testPack().passes(), "temporal_aa");
+    ASSERT_TRUE(setSwitch(*variant, "QUAD_SHARING", "on"));
+    const auto words = packSpirv(*variant, Stage::compute);
+    ASSERT_TRUE(words) << words.error().message;
+    expectError(PassPipeline::create(device, *variant, Stage::compute, *words, {}, {}),
+                ErrorCode::missingFeature, "quad operations");
+}
+
 // --- Recording
 
 class RecordErrorTest : public ErrorTest {

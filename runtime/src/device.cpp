@@ -39,6 +39,16 @@ Result<void> checkHandles(const BorrowedDevice& borrowed) {
     return {};
 }
 
+bool hasQuadOperations(const BorrowedDevice& from, const DeviceFunctions& vk) {
+    auto subgroup =
+        structure<VkPhysicalDeviceSubgroupProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES);
+    auto properties = structure<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
+    properties.pNext = &subgroup;
+    vk.GetPhysicalDeviceProperties2(from.physicalDevice, &properties);
+    return (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0 &&
+           (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_QUAD_BIT) != 0;
+}
+
 Result<Device> load(const BorrowedDevice& borrowed) {
     if (auto checked = checkHandles(borrowed); !checked) return checked.error();
     if (!borrowed.features.synchronization2)
@@ -57,6 +67,7 @@ Result<Device> load(const BorrowedDevice& borrowed) {
     Device device;
     device.borrowed = borrowed;
     device.limits = properties.limits;
+    device.quadOperations = hasQuadOperations(borrowed, *vk);
     vk->GetPhysicalDeviceMemoryProperties(borrowed.physicalDevice, &device.memory);
     device.vk = std::move(vk);
     return device;

@@ -10,7 +10,8 @@
     X(GetDeviceProcAddr)                                                                                     \
     X(GetPhysicalDeviceFormatProperties)                                                                     \
     X(GetPhysicalDeviceMemoryProperties)                                                                     \
-    X(GetPhysicalDeviceProperties)
+    X(GetPhysicalDeviceProperties)                                                                           \
+    X(GetPhysicalDeviceProperties2)
 
 #define REPRISE_DEVICE_FUNCTIONS(X)                                                                          \
     X(AllocateDescriptorSets)                                                                                \

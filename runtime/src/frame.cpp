@@ -76,7 +76,8 @@ Result<Step> makeStep(const Recorder& recorder, const PlannedPass& planned, std:
     return step;
 }
 
-Result<FramePlan> planFor(std::span<const PassInfo> passes, const FrameRecorder::CreateInfo& info) {
+Result<FramePlan> planFor(const Device& device, std::span<const PassInfo> passes,
+                          const FrameRecorder::CreateInfo& info) {
     const std::string_view format = formatName(info.colourFormat);
     if (!formatByName(format))
         return Error{ErrorCode::unsupportedFormat, "The runtime does not know VkFormat " +
@@ -84,6 +85,7 @@ Result<FramePlan> planFor(std::span<const PassInfo> passes, const FrameRecorder:
                                                        " for history; choose one of reprise/format.hpp."};
     Settings settings = info.settings;
     settings.colourFormat = format;
+    settings.quadOperations = device.quadOperations;
     auto made = plan(passes, packPresets(temporalPass), info.needs, settings, info.extent);
     if (made && made->passes.empty())
         return Error{ErrorCode::invalidArgument,
@@ -95,7 +97,7 @@ Result<Recorder> makeRecorder(const Device& device, std::span<const PassInfo> pa
                               const SpirvSource& spirv, const FrameRecorder::CreateInfo& info) {
     if (info.framesInFlight == 0)
         return Error{ErrorCode::invalidArgument, "CreateInfo::framesInFlight must be at least 1."};
-    auto planned = planFor(passes, info);
+    auto planned = planFor(device, passes, info);
     if (!planned) return planned.error();
     Recorder recorder;
     recorder.device = device;

@@ -71,6 +71,10 @@ Result<void> buildCompute(PassAccess::State& state, const SpirvModule& module) {
     auto enabled = checkFeature(state.device.borrowed.features.shaderStorageImageWriteWithoutFormat,
                                 "shaderStorageImageWriteWithoutFormat", name);
     if (!enabled) return enabled;
+    if (module.usesQuadOperations && !state.device.quadOperations)
+        return Error{ErrorCode::missingFeature,
+                     "The device has no quad operations in compute, which this form of " + std::string(name) +
+                         " uses; switch QUAD_SHARING off."};
     auto stage = makeStage(state.device, module);
     if (!stage) return stage.error();
     auto pipeline = makeComputePipeline(state.device, stage->info, state.interface.layout.get(), name);

@@ -87,6 +87,11 @@ Result<Variant> chooseVariant(const PassInfo& pass, std::span<const PresetInfo> 
         for (const Condition& condition : settings.overrides)
             if (auto set = setSwitch(*variant, condition.switchName, condition.value); !set)
                 return set.error();
+    if (settings.stage == Stage::compute && !settings.quadOperations) {
+        const auto set =
+            turnOff(*variant, "QUAD_SHARING", "The device has no quad operations in compute.", dropped);
+        if (!set) return set.error();
+    }
     // The closest fragment is looked for to take its motion.
     if (hasSwitch(pass, "MOTION") && switchValue(*variant, "MOTION") == "off")
         if (auto set = turnOff(*variant, "CLOSEST_FRAGMENT", "No motion is read.", dropped); !set)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opcode and decoration numbers: SPIR-V specification 1.6, sections 3.20 and 3.52.
+// Opcode and decoration numbers: SPIR-V specification 1.6, sections 3.20, 3.31 and 3.52.
 #include "spirv_module.hpp"
 
 #include <algorithm>
@@ -9,7 +9,8 @@ namespace reprise {
 namespace {
 
 constexpr uint32_t magicNumber = 0x07230203, headerWords = 5;
-constexpr uint32_t opEntryPoint = 15, opFunctionEnd = 56, opDecorate = 71;
+constexpr uint32_t opEntryPoint = 15, opCapability = 17, opFunctionEnd = 56, opDecorate = 71;
+constexpr uint32_t capabilityGroupNonUniformQuad = 68;
 constexpr uint32_t decorationBinding = 33, decorationDescriptorSet = 34;
 
 struct Place {
@@ -80,6 +81,8 @@ Result<SpirvModule> readModule(std::span<const uint32_t> words) {
                 return bad("its stage is none of a pass");
             module.entry = readString(instruction.subspan(3));
         }
+        if (opcode == opCapability && count == 2 && instruction[1] == capabilityGroupNonUniformQuad)
+            module.usesQuadOperations = true;
         if (opcode == opDecorate) readDecoration(instruction, places);
         last = opcode;
         at += count;

@@ -12,6 +12,7 @@ struct SpirvModule {
     std::span<const uint32_t> words;
     Stage stage = Stage::compute;
     std::string entry;
+    bool usesQuadOperations = false;
     std::vector<uint32_t> bindings; // numbers in descriptor set 0, ascending
 };
 

@@ -34,6 +34,7 @@ struct Device {
     BorrowedDevice borrowed;
     VkPhysicalDeviceMemoryProperties memory{};
     VkPhysicalDeviceLimits limits{};
+    bool quadOperations = false; // subgroup quad operations in compute: QUAD_SHARING uses them there
     std::shared_ptr<const DeviceFunctions> vk;
 };
 

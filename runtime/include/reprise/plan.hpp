@@ -24,6 +24,7 @@ struct Settings {
     Stage stage = Stage::compute;       // fragment or compute, for every full-screen pass
     std::string_view preset = "best";   // of temporal_aa
     std::vector<Condition> overrides{}; // switches of temporal_aa set by hand, after the preset and the needs
+    bool quadOperations = true;         // the device has them in compute (Device::quadOperations)
     std::string_view colourFormat{};    // of temporal_aa's outputs; empty: as the table recommends
 };
 
