@@ -14,7 +14,7 @@ Mesh leafBall(float radius, int cards, uint32_t seed) {
     for (int i = 0; i < cards; ++i) {
         const float azimuth = 6.2832f * hash(i, 0, seed), height = 2.0f * hash(i, 1, seed) - 1.0f;
         const float ring = std::sqrt(1.0f - height * height),
-                    distance = radius * std::cbrt(0.2f + 0.8f * hash(i, 2, seed));
+                    distance = radius * std::sqrt(0.15f + 0.85f * hash(i, 2, seed));
         const glm::vec3 outwards(ring * std::cos(azimuth), height, ring * std::sin(azimuth));
         glm::mat4 transform = glm::translate(glm::mat4(1.0f), outwards * distance * glm::vec3(1, 0.8f, 1));
         transform = glm::rotate(transform, 6.2832f * hash(i, 3, seed), {0, 1, 0});
@@ -35,7 +35,7 @@ Mesh grassPatch(float size, int tufts, uint32_t seed) {
         const glm::vec3 foot((hash(i, 0, seed) - 0.5f) * size, 0, (hash(i, 1, seed) - 0.5f) * size);
         glm::mat4 transform = glm::translate(glm::mat4(1.0f), foot);
         transform = glm::rotate(transform, 6.2832f * hash(i, 2, seed), {0, 1, 0});
-        append(mesh, card({0.5f, 0.22f + 0.22f * hash(i, 3, seed)}), transform);
+        append(mesh, card({0.4f, 0.2f + 0.18f * hash(i, 3, seed)}), transform);
     }
     for (Vertex& vertex : mesh.vertices)
         vertex.normal = {0, 1, 0};
@@ -73,7 +73,7 @@ void addTree(Scene& scene, glm::dvec3 foot, double size, uint32_t bark, uint32_t
 void addGrass(Scene& scene, uint32_t blade) {
     uint32_t patches[3];
     for (uint32_t i = 0; i < 3; ++i)
-        patches[i] = addMesh(scene, grassPatch(2.2f, 150, 91 + i));
+        patches[i] = addMesh(scene, grassPatch(2.2f, 75, 91 + i));
     for (int z = 0; z < 6; ++z) {
         for (int x = -3 - z / 2; x <= 3 + z / 2; ++x) {
             const glm::dmat4 place = at(2.0 * x, 0, -1.6 - 2.0 * z);
@@ -105,7 +105,7 @@ Scene foliage() {
     addInstance(scene, addMesh(scene, floor({120, 120}, 0.35f)), soil, glm::dmat4(1.0));
     uint32_t balls[3];
     for (uint32_t i = 0; i < 3; ++i)
-        balls[i] = addMesh(scene, leafBall(0.75f, 130, 111 + i));
+        balls[i] = addMesh(scene, leafBall(0.78f, 52, 111 + i));
     const glm::dvec3 feet[] = {{-2.4, 0, -6.0}, {2.2, 0, -7.5}, {-5.5, 0, -11}, {0.3, 0, -13},
                                {5.8, 0, -12},   {-2.8, 0, -18}, {3.5, 0, -20}};
     for (int i = 0; i < 7; ++i)

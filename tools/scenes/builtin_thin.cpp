@@ -27,6 +27,7 @@ Mesh meshFence(float length, float height) {
     const float step = 0.16f, radius = 0.006f;
     for (float x = -height; x < length; x += step) {
         const float from = std::max(x, 0.0f), to = std::min(x + height, length);
+        if (to - from < 0.01f) continue; // at the ends a wire would have no length
         append(mesh, rod({from, from - x, 0}, {to, to - x, 0}, radius, 4));
         append(mesh, rod({from, height - (from - x), 0}, {to, height - (to - x), 0}, radius, 4));
     }

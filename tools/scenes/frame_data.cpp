@@ -169,6 +169,9 @@ FrameContent frameContent(const Scene& scene, const SceneData& data, const Bound
             if (inCascade(cascades.worldToLightClip[c], sphere)) content.casters[c].push_back(i);
     }
     sortNearestFirst(scene, farthest, content.order);
+    content.opaqueCount = size_t(std::ranges::count_if(content.order, [&](uint32_t i) {
+        return scene.materials[scene.instances[i].material].alphaCutoff <= 0.0f;
+    }));
     return content;
 }
 

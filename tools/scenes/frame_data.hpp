@@ -40,6 +40,7 @@ struct FrameContent {
     std::vector<InstanceData> instances;
     std::vector<glm::mat4> palette, prevPalette;
     std::vector<uint32_t> order;                 // instances in view, nearest first, alpha-tested last
+    size_t opaqueCount = 0;                      // of those in order
     std::vector<uint32_t> casters[cascadeCount]; // instances that reach each cascade
 };
 

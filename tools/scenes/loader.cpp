@@ -102,9 +102,8 @@ glm::dvec3 skinnedPosition(const Mesh& mesh, size_t vertex, const std::vector<gl
     return sum;
 }
 
-// Where the scene is over its animation, from a few moments of it.
-Sphere boundsOf(const Scene& scene, double duration) {
-    glm::dvec3 low(1e300), high(-1e300);
+// Calls visit with every corner of every triangle in the world, at a few moments of the animation.
+void forEachPoint(const Scene& scene, double duration, const std::function<void(const glm::dvec3&)>& visit) {
     const int moments = duration > 0.0 ? 8 : 1;
     for (int moment = 0; moment < moments; ++moment) {
         const double seconds = duration * moment / moments;
@@ -112,17 +111,27 @@ Sphere boundsOf(const Scene& scene, double duration) {
             const Mesh& mesh = scene.meshes[instance.mesh];
             const glm::dmat4 world = instance.objectToWorld(seconds);
             const auto palette = instance.palette ? instance.palette(seconds) : std::vector<glm::mat4>{};
-            for (uint32_t index : mesh.indices) {
-                const glm::dvec3 point =
-                    palette.empty() ? glm::dvec3(world * glm::dvec4(mesh.vertices[index].position, 1.0))
-                                    : skinnedPosition(mesh, index, palette);
-                low = glm::min(low, point);
-                high = glm::max(high, point);
-            }
+            for (uint32_t index : mesh.indices)
+                visit(palette.empty() ? glm::dvec3(world * glm::dvec4(mesh.vertices[index].position, 1.0))
+                                      : skinnedPosition(mesh, index, palette));
         }
     }
-    const Sphere sphere{(low + high) * 0.5, glm::length(high - low) * 0.5};
-    if (!std::isfinite(sphere.radius) || sphere.radius > 1e9 || glm::length(sphere.centre) > 1e9)
+}
+
+Sphere boundsOf(const Scene& scene, double duration) {
+    glm::dvec3 low(1e300), high(-1e300);
+    forEachPoint(scene, duration, [&](const glm::dvec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    });
+    Sphere sphere{(low + high) * 0.5, 0.0};
+    bool finite = true;
+    forEachPoint(scene, duration, [&](const glm::dvec3& point) {
+        const double distance = glm::length(point - sphere.centre);
+        finite = finite && std::isfinite(distance);
+        sphere.radius = std::max(sphere.radius, distance);
+    });
+    if (!finite || sphere.radius > 1e9 || glm::length(sphere.centre) > 1e9)
         throw Refusal{"it is larger than 1e9 m or lies further away; scale it down"};
     if (sphere.radius < 1e-6) throw Refusal{"all its vertices are at one point; export it again"};
     return sphere;
@@ -133,11 +142,11 @@ void fitPlanes(Scene& scene, const Sphere& bounds, double nearest, double farthe
     scene.nearPlane = std::max(nearest * 0.5, scene.farPlane * 1e-4);
 }
 
-// A quarter of a turn in six seconds, and a tenth nearer and back.
+// A quarter of a turn in six seconds, a little nearer and back; the sphere stays in view at the nearest.
 void orbit(Scene& scene, const Sphere& bounds) {
-    const double distance = bounds.radius / std::sin(scene.verticalFov * 0.5) * 1.05;
+    const double distance = bounds.radius / std::sin(scene.verticalFov * 0.5) * 1.09;
     scene.worldToView = [bounds, distance](double seconds) {
-        const double angle = 0.6 + 0.26 * seconds, away = distance * (1.0 - 0.1 * std::sin(0.5 * seconds));
+        const double angle = 0.6 + 0.26 * seconds, away = distance * (1.0 - 0.08 * std::sin(0.5 * seconds));
         const glm::dvec3 direction(std::cos(0.35) * std::sin(angle), std::sin(0.35),
                                    std::cos(0.35) * std::cos(angle));
         return lookAt(bounds.centre + direction * away, bounds.centre);
@@ -151,13 +160,14 @@ bool useCamera(const aiCamera& camera, const TreePointer& tree, const Sphere& bo
     const double aspect = camera.mAspect > 0.0f ? camera.mAspect : 1.0;
     const double fov = 2.0 * std::atan(std::tan(camera.mHorizontalFOV * 0.5) / aspect);
     if (camera.mOrthographicWidth > 0.0f || !std::isfinite(fov) || fov < 0.05 || fov > 2.6) return false;
-    const glm::dvec3 position(camera.mPosition.x, camera.mPosition.y, camera.mPosition.z);
     const glm::dvec3 forward(camera.mLookAt.x, camera.mLookAt.y, camera.mLookAt.z),
         up(camera.mUp.x, camera.mUp.y, camera.mUp.z);
     if (!(glm::length(glm::cross(forward, up)) > 1e-6)) return false;
     const auto view = [=](double seconds) {
         const glm::dmat4 world = node >= 0 ? tree->toWorld(size_t(node), seconds) : glm::dmat4(1.0);
-        const glm::dvec3 eye(world * glm::dvec4(position, 1.0));
+        // mPosition repeats the node's translation for some files: a glTF camera is at the origin of its
+        // node.
+        const glm::dvec3 eye(world[3]);
         return lookAt(eye, eye + glm::normalize(glm::dvec3(world * glm::dvec4(forward, 0.0))),
                       glm::dvec3(world * glm::dvec4(up, 0.0)));
     };

@@ -40,6 +40,7 @@ std::filesystem::path findShader(const std::string& name) {
 const char* fileOf(Draw draw) {
     switch (draw) {
     case Draw::scene:
+    case Draw::depth:
         return "scene.hlsl";
     case Draw::shadow:
         return "shadow.hlsl";
@@ -59,11 +60,9 @@ std::vector<uint32_t> compileShader(const PipelineKey& key, bool vertex, uint32_
     source.text.assign(std::istreambuf_iterator<char>(stream), {});
     source.entry = vertex ? "mainVertex" : "mainFragment";
     source.stage = vertex ? reprise::Stage::vertex : reprise::Stage::fragment;
-    source.defines = {{"SKINNED", key.skinned},
-                      {"TEXTURED", key.textured},
-                      {"ALPHA_TEST", key.alphaTest},
-                      {"GBUFFER", key.gbuffer},
-                      {"POINT_LIGHTS", int(pointLights)}};
+    source.defines = {
+        {"SKINNED", key.skinned},      {"TEXTURED", key.textured}, {"DEPTH_ONLY", key.draw == Draw::depth},
+        {"ALPHA_TEST", key.alphaTest}, {"GBUFFER", key.gbuffer},   {"POINT_LIGHTS", int(pointLights)}};
     source.includeDirectories = {file.parent_path()};
     auto compiled = reprisec::compileSource(source);
     if (!compiled) throw std::runtime_error(compiled.error().message);
@@ -107,9 +106,11 @@ VkPipelineDepthStencilStateCreateInfo depthState(const PipelineKey& key, DepthKi
     auto info = structure<VkPipelineDepthStencilStateCreateInfo>(
         VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO);
     const bool standard = depth == DepthKind::standard || key.draw == Draw::shadow;
+    const bool afterDepth = key.draw == Draw::scene && key.alphaTest;
     info.depthTestEnable = key.draw != Draw::accumulate;
-    info.depthWriteEnable = key.draw == Draw::scene || key.draw == Draw::shadow;
+    info.depthWriteEnable = info.depthTestEnable && key.draw != Draw::sky && !afterDepth;
     info.depthCompareOp = standard ? VK_COMPARE_OP_LESS_OR_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
+    if (afterDepth) info.depthCompareOp = VK_COMPARE_OP_EQUAL;
     return info;
 }
 
@@ -126,7 +127,7 @@ VkPipelineRasterizationStateCreateInfo rasterState(const PipelineKey& key) {
 
 VkPipelineColorBlendAttachmentState blendState(const PipelineKey& key) {
     VkPipelineColorBlendAttachmentState blend{};
-    blend.colorWriteMask = 0xf;
+    blend.colorWriteMask = key.draw == Draw::depth ? 0 : 0xf;
     blend.blendEnable = key.draw == Draw::accumulate;
     blend.srcColorBlendFactor = blend.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
     blend.srcAlphaBlendFactor = blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
@@ -157,8 +158,12 @@ VkPipeline Pipelines::get(const PipelineKey& key) {
 VkShaderModule Pipelines::module(const PipelineKey& key, bool vertex) {
     // Switches that a stage does not test do not make another module of it.
     PipelineKey relevant = key;
-    if (vertex && key.draw == Draw::scene) relevant.textured = relevant.alphaTest = false;
+    // The depth pass and the one after it share the vertex shader: their depths must be equal.
+    if (vertex && key.draw == Draw::depth) relevant.draw = Draw::scene;
+    if (vertex && relevant.draw == Draw::scene) relevant.textured = relevant.alphaTest = false;
     if (!vertex) relevant.skinned = false;
+    if (!vertex && key.draw == Draw::scene) relevant.alphaTest = false;
+    if (!vertex && key.draw == Draw::depth) relevant.gbuffer = false;
     const auto found = modules_.find({relevant, vertex});
     if (found != modules_.end()) return found->second;
     const std::vector<uint32_t> words = compileShader(relevant, vertex, pointLights_);

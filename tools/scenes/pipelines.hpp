@@ -11,7 +11,9 @@
 
 namespace scenes {
 
-enum class Draw : uint8_t { scene, shadow, sky, accumulate };
+// depth: alpha-tested surfaces first leave their depth alone, so that each pixel is lit once and not once a
+// leaf.
+enum class Draw : uint8_t { scene, depth, shadow, sky, accumulate };
 
 struct PipelineKey {
     Draw draw = Draw::scene;

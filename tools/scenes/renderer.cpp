@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer.hpp"
 
+#include "descriptors.hpp"
 #include "frame_data.hpp"
 #include "pipelines.hpp"
 
@@ -37,99 +38,6 @@ struct TruthTargets {
 
 template <class T> void write(harness::Buffer& buffer, const std::vector<T>& data) {
     if (!data.empty()) std::memcpy(buffer.mapped, data.data(), data.size() * sizeof(T));
-}
-
-VkDescriptorSetLayoutBinding binding(uint32_t index, VkDescriptorType type,
-                                     const VkSampler* sampler = nullptr) {
-    return {index, type, 1, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, sampler};
-}
-
-VkDescriptorSetLayout makeSetLayout(VkDevice device, std::span<const VkDescriptorSetLayoutBinding> bindings,
-                                    Cleanup& cleanup) {
-    auto info =
-        structure<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
-    info.bindingCount = uint32_t(bindings.size());
-    info.pBindings = bindings.data();
-    VkDescriptorSetLayout layout;
-    check(vkCreateDescriptorSetLayout(device, &info, nullptr, &layout), "create a descriptor layout");
-    cleanup.add([=] { vkDestroyDescriptorSetLayout(device, layout, nullptr); });
-    return layout;
-}
-
-VkPipelineLayout makePipelineLayout(VkDevice device, std::span<const VkDescriptorSetLayout> sets,
-                                    Cleanup& cleanup) {
-    const VkPushConstantRange constants{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                                        sizeof(RenderConstants)};
-    auto info = structure<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
-    info.setLayoutCount = uint32_t(sets.size());
-    info.pSetLayouts = sets.data();
-    info.pushConstantRangeCount = 1;
-    info.pPushConstantRanges = &constants;
-    VkPipelineLayout layout;
-    check(vkCreatePipelineLayout(device, &info, nullptr, &layout), "create a pipeline layout");
-    cleanup.add([=] { vkDestroyPipelineLayout(device, layout, nullptr); });
-    return layout;
-}
-
-VkSampler makeShadowSampler(VkDevice device, Cleanup& cleanup) {
-    auto info = structure<VkSamplerCreateInfo>(VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO);
-    info.magFilter = info.minFilter = VK_FILTER_LINEAR;
-    info.addressModeU = info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-    info.compareEnable = VK_TRUE;
-    info.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
-    VkSampler sampler;
-    check(vkCreateSampler(device, &info, nullptr, &sampler), "create the shadow sampler");
-    cleanup.add([=] { vkDestroySampler(device, sampler, nullptr); });
-    return sampler;
-}
-
-VkDescriptorPool makePool(VkDevice device, Cleanup& cleanup) {
-    const uint32_t sets = Renderer::framesInFlight + 1;
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sets},
-                                          {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, sets * 3},
-                                          {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, sets},
-                                          {VK_DESCRIPTOR_TYPE_SAMPLER, sets}};
-    auto info = structure<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
-    info.maxSets = sets;
-    info.poolSizeCount = 4;
-    info.pPoolSizes = sizes;
-    VkDescriptorPool pool;
-    check(vkCreateDescriptorPool(device, &info, nullptr, &pool), "create a descriptor pool");
-    cleanup.add([=] { vkDestroyDescriptorPool(device, pool, nullptr); });
-    return pool;
-}
-
-VkDescriptorSet allocateSet(VkDevice device, VkDescriptorPool pool, VkDescriptorSetLayout layout) {
-    auto info = structure<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
-    info.descriptorPool = pool;
-    info.descriptorSetCount = 1;
-    info.pSetLayouts = &layout;
-    VkDescriptorSet set;
-    check(vkAllocateDescriptorSets(device, &info, &set), "allocate a descriptor set");
-    return set;
-}
-
-void writeImage(VkDevice device, VkDescriptorSet set, uint32_t index, VkImageView view) {
-    const VkDescriptorImageInfo image{VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-    auto change = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
-    change.dstSet = set;
-    change.dstBinding = index;
-    change.descriptorCount = 1;
-    change.descriptorType = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
-    change.pImageInfo = &image;
-    vkUpdateDescriptorSets(device, 1, &change, 0, nullptr);
-}
-
-void writeBuffer(VkDevice device, VkDescriptorSet set, uint32_t index, const harness::Buffer& buffer) {
-    const VkDescriptorBufferInfo range{buffer.buffer, 0, VK_WHOLE_SIZE};
-    auto change = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
-    change.dstSet = set;
-    change.dstBinding = index;
-    change.descriptorCount = 1;
-    change.descriptorType =
-        index == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    change.pBufferInfo = &range;
-    vkUpdateDescriptorSets(device, 1, &change, 0, nullptr);
 }
 
 VkRenderingAttachmentInfo attachment(const harness::Image& image, VkAttachmentLoadOp load,
@@ -327,7 +235,11 @@ void Renderer::State::drawView(VkCommandBuffer commands, const FrameSlot& slot,
     bind(commands, slot, constants);
     setViewport(commands, 0.0f, float(width), float(height));
     const bool gbuffer = colours.size() > 1;
-    drawInstances(commands, slot, slot.content.order, Draw::scene, gbuffer);
+    const std::span<const uint32_t> order = slot.content.order;
+    const auto opaque = order.first(slot.content.opaqueCount), tested = order.subspan(opaque.size());
+    drawInstances(commands, slot, opaque, Draw::scene, gbuffer);
+    drawInstances(commands, slot, tested, Draw::depth, gbuffer);
+    drawInstances(commands, slot, tested, Draw::scene, gbuffer);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                       pipelines->get({.draw = Draw::sky, .gbuffer = gbuffer}));
     vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
@@ -376,7 +288,7 @@ Renderer::Renderer(harness::Gpu& gpu, const Scene& scene, uint32_t width, uint32
     state.frameLayout = makeSetLayout(device, frame, state.cleanup);
     state.accumulateLayout = makeSetLayout(device, accumulate, state.cleanup);
     const VkDescriptorSetLayout sceneSets[] = {state.frameLayout, state.data.textureLayout};
-    state.pool = makePool(device, state.cleanup);
+    state.pool = makePool(device, framesInFlight + 1, state.cleanup);
     state.pipelines.emplace(device, makePipelineLayout(device, sceneSets, state.cleanup),
                             makePipelineLayout(device, {&state.accumulateLayout, 1}, state.cleanup), depth,
                             uint32_t(std::min(scene.lights.size(), maxLights)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lit colour of the scene, and with GBUFFER what temporal passes read beside it.
-// Switches: SKINNED, TEXTURED, ALPHA_TEST (needs TEXTURED), GBUFFER, POINT_LIGHTS (their number).
+// Switches: SKINNED, TEXTURED, GBUFFER, POINT_LIGHTS (their number), DEPTH_ONLY (alpha test and nothing else; what
+// is drawn after it needs no test).
 #include "scene_common.hlsli"
 
 [[vk::binding(4, 0)]] Texture2D gShadows;
@@ -40,8 +41,10 @@ Varyings mainVertex(VertexInput input) {
                       instance.normalToWorld[2].xyz * normal.z;
     output.uv = input.uv;
     output.instance = input.instance;
-    output.positionPx = mul(position, instance.objectToClip);
-    output.positionPx.xy += gRender.jitterNdc * output.positionPx.w;
+    // Precise: the depth pass and the pass after it must agree to the bit.
+    precise float4 positionCS = mul(position, instance.objectToClip);
+    positionCS.xy += gRender.jitterNdc * positionCS.w;
+    output.positionPx = positionCS;
 #if GBUFFER
     output.prevClip = mul(prevPosition, instance.prevObjectToClip).xyw;
 #endif
@@ -119,7 +122,13 @@ struct Targets {
 };
 #endif
 
-Targets mainFragment(Varyings input, bool front : SV_IsFrontFace
+#if DEPTH_ONLY
+void mainFragment(Varyings input) {
+    float alpha = gAlbedo.SampleBias(gAlbedo_sampler, input.uv, gRender.lodBias).a;
+    if (alpha * gInstances[input.instance].baseColour.a < gInstances[input.instance].alphaCutoff.x) discard;
+}
+#else
+Targets mainFragment(Varyings input
 #if GBUFFER
                      , uint primitive : SV_PrimitiveID
 #endif
@@ -128,9 +137,6 @@ Targets mainFragment(Varyings input, bool front : SV_IsFrontFace
     float4 base = instance.baseColour;
 #if TEXTURED
     base *= gAlbedo.SampleBias(gAlbedo_sampler, input.uv, gRender.lodBias);
-#endif
-#if ALPHA_TEST
-    if (base.a < instance.alphaCutoff.x) discard;
 #endif
     float3 normal = normalize(input.normalWS);
     // Back faces are drawn only where a material has two sides: light them from behind their normal too.
@@ -145,3 +151,4 @@ Targets mainFragment(Varyings input, bool front : SV_IsFrontFace
 #endif
     return output;
 }
+#endif

@@ -38,8 +38,8 @@ bool insideLeaf(glm::vec2 point, glm::vec2 stem, float angle, float length, floa
     const float along = glm::dot(offset, axis) / length;
     const float across = (offset.y * axis.x - offset.x * axis.y) / length;
     if (along < 0.0f || along > 1.0f) return false;
-    const float halfWidth = 0.28f * std::sin(3.14159f * std::pow(along, 0.8f));
-    shade = std::abs(across) < 0.02f ? 0.7f : 0.85f + 0.3f * across / 0.28f;
+    const float halfWidth = 0.2f * std::sin(3.14159f * std::pow(along, 0.8f));
+    shade = std::abs(across) < 0.02f ? 0.7f : 0.85f + 0.3f * across / 0.2f;
     return std::abs(across) < halfWidth;
 }
 
@@ -146,11 +146,11 @@ Texture leaves(uint32_t size, uint32_t seed) {
         const glm::vec3 green(0.24f, 0.42f, 0.12f);
         glm::vec4 colour(green * 0.8f, 0.0f); // colour outside the shape too: mipmaps must not fade to black
         if (std::abs(point.x - 0.5f) < 0.012f && point.y < 0.8f) colour = {0.3f, 0.22f, 0.12f, 1.0f};
-        for (int i = 0; i < 15; ++i) {
-            const float height = 0.04f + 0.05f * float(i), side = (i & 1) ? 1.0f : -1.0f;
+        for (int i = 0; i < 12; ++i) {
+            const float height = 0.06f + 0.065f * float(i), side = (i & 1) ? 1.0f : -1.0f;
             const float angle = 1.5708f - side * (0.75f + 0.5f * hash(i, 1, seed));
             float shade = 1.0f;
-            if (!insideLeaf(point, {0.5f, height}, angle, 0.26f + 0.16f * hash(i, 2, seed), shade)) continue;
+            if (!insideLeaf(point, {0.5f, height}, angle, 0.24f + 0.14f * hash(i, 2, seed), shade)) continue;
             colour = glm::vec4(green * shade * (0.75f + 0.6f * hash(i, 3, seed)), 1.0f);
         }
         return colour;
