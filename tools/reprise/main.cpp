@@ -19,7 +19,7 @@ void addReport(CLI::App& app, ReportOptions& o, std::function<void()>& run) {
     command->add_option("--technique", o.technique, "One pass of the table (default: all)");
     command->add_option("--size", o.size, "WIDTHxHEIGHT of error and time (default: 640x360 and 1280x720)");
     command->add_option("--frames", o.frames, "Frames of a sequence (default: 32, quick 16)")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 10000));
     command->add_option("--stage", o.stage, "fragment, compute or both")->capture_default_str();
     command->add_option("--device", o.device, "Part of a device's name, or its index");
     command->add_option("--out", o.out, "Directory of the report")->capture_default_str();
@@ -91,6 +91,9 @@ int main(int argc, char** argv) {
         run();
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
+    } catch (const CLI::ParseError& failure) {
+        fmt::print(stderr, "reprise: {}; see reprise --help\n", oneLine(failure.what()));
+        return 1;
     } catch (const std::exception& failure) {
         fmt::print(stderr, "reprise: {}\n", oneLine(failure.what()));
         return 1;

@@ -59,7 +59,7 @@ void Progress::step(double work, std::string_view what) {
 void Progress::finish() {
     if (finished_) return;
     done_ = total_;
-    print("");
+    if (terminal_ || lastTenth_ < 10) print("");
     if (terminal_) std::fputc('\n', stderr);
     finished_ = true;
 }

@@ -187,7 +187,8 @@ void writeFile(const fs::path& file, std::string_view bytes) {
     stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     stream.close();
     if (!stream)
-        throw std::runtime_error(fmt::format("{} cannot be written; is the disk full?", file.string()));
+        throw std::runtime_error(fmt::format(
+            "{} cannot be written: its directory is missing, not yours to write to, or full", file.string()));
 }
 
 void checkWritable(const fs::path& out) {
