@@ -2,8 +2,8 @@
 // Two charts as SVG text: points against two axes, and lines over frames.
 "use strict";
 
-const palette = ["#0b62c4", "#c2410c", "#177a3c", "#8b3fc1", "#b3261e", "#00808a", "#9a6a00", "#d1478f", "#5b6470",
-  "#4f7d00"];
+const palette = ["#0b62c4", "#c2410c", "#177a3c", "#8b3fc1", "#b3261e", "#00808a", "#9a6a00", "#d1478f",
+  "#5b6470", "#4f7d00"];
 
 function escapeHtml(text) {
   return String(text).replace(/[&<>"]/g, c => ({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"}[c]));
@@ -23,7 +23,8 @@ function number(value, digits = 3) {
   if (value === null || value === undefined) return "";
   if (value === 0) return "0";
   const magnitude = Math.floor(Math.log10(Math.abs(value)));
-  return magnitude >= digits ? value.toFixed(0) : value.toFixed(Math.min(6, Math.max(0, digits - 1 - magnitude)));
+  if (magnitude >= digits) return value.toFixed(0);
+  return value.toFixed(Math.min(6, Math.max(0, digits - 1 - magnitude)));
 }
 
 function axis(value) { return String(Number(value.toPrecision(6))); }
@@ -40,14 +41,16 @@ function frameOf(width, height, x, y, xLabel, yLabel) {
   for (const t of ticks(y[0], y[1], 6))
     svg += `<line class="axis" x1="${left}" x2="${right}" y1="${sy(t)}" y2="${sy(t)}"/>` +
       `<text x="${left - 7}" y="${sy(t) + 4}" text-anchor="end">${axis(t)}</text>`;
-  svg += `<text x="${(left + right) / 2}" y="${height - 4}" text-anchor="middle">${escapeHtml(xLabel)}</text>`;
+  svg += `<text x="${(left + right) / 2}" y="${height - 4}" text-anchor="middle">
+    ${escapeHtml(xLabel)}</text>`;
   svg += `<text x="12" y="${(top + bottom) / 2}" text-anchor="middle"
     transform="rotate(-90 12 ${(top + bottom) / 2})">${escapeHtml(yLabel)}</text>`;
   return {sx, sy, svg, left, right, top, bottom};
 }
 
 function padded(values, fromZero) {
-  const low = Math.min(...values), high = Math.max(...values), margin = (high - low || Math.abs(high) || 1) * 0.07;
+  const low = Math.min(...values), high = Math.max(...values);
+  const margin = (high - low || Math.abs(high) || 1) * 0.07;
   return [fromZero ? 0 : Math.max(0, low - margin), high + margin];
 }
 
@@ -76,11 +79,13 @@ function scatterChart(points, level, xLabel, yLabel) {
   const front = points.filter(p => p.front).sort((a, b) => a.x - b.x);
   const placed = points.map(p => [f.sx(p.x) - 5, f.sy(p.y) - 5, f.sx(p.x) + 5, f.sy(p.y) + 5]);
   if (front.length > 1)
-    svg += `<polyline class="front-line" points="${front.map(p => `${f.sx(p.x)},${f.sy(p.y)}`).join(" ")}"/>`;
-  const ordered = points.slice().sort((a, b) => Number(b.named) - Number(a.named) || Number(b.front) - Number(a.front));
+    svg += `<polyline class="front-line" points="${
+      front.map(p => `${f.sx(p.x)},${f.sy(p.y)}`).join(" ")}"/>`;
+  const rank = p => 2 * Number(p.named) + Number(p.front);
+  const ordered = points.slice().sort((a, b) => rank(b) - rank(a));
   for (const p of ordered.slice().reverse())
-    svg += `<circle data-id="${p.id}" cx="${f.sx(p.x)}" cy="${f.sy(p.y)}" r="${p.named ? 6 : 4.5}" fill="${p.colour}"
-      fill-opacity="${p.named || p.front ? 1 : 0.55}"><title>${escapeHtml(p.title)}</title></circle>`;
+    svg += `<circle data-id="${p.id}" cx="${f.sx(p.x)}" cy="${f.sy(p.y)}" r="${p.named ? 6 : 4.5}"
+      fill="${p.colour}" fill-opacity="${p.named || p.front ? 1 : 0.55}"><title>${escapeHtml(p.title)}</title></circle>`;
   for (const p of ordered) svg += placeLabel(placed, f.sx(p.x), f.sy(p.y), p.label, f.right);
   return `<svg viewBox="0 0 ${width} ${height}" role="img">${svg}</svg>`;
 }
@@ -90,8 +95,8 @@ function lineChart(lines, cut, yLabel) {
   const drawn = lines.filter(l => l.values.length > 0);
   if (drawn.length === 0) return "<p class='note'>No chosen row has this error per frame.</p>";
   const width = 720, height = 430, frames = Math.max(...drawn.map(l => l.values.length));
-  const f = frameOf(width, height, [0, Math.max(frames - 1, 1)], padded(drawn.flatMap(l => l.values), true), "frame",
-    yLabel);
+  const range = padded(drawn.flatMap(l => l.values), true);
+  const f = frameOf(width, height, [0, Math.max(frames - 1, 1)], range, "frame", yLabel);
   let svg = f.svg;
   if (cut >= 0 && cut < frames)
     svg += `<line class="none-line" x1="${f.sx(cut)}" x2="${f.sx(cut)}" y1="${f.top}" y2="${f.bottom}"/>
@@ -100,7 +105,8 @@ function lineChart(lines, cut, yLabel) {
     svg += `<polyline fill="none" stroke="${l.colour}" stroke-width="1.8"
       points="${l.values.map((v, i) => `${f.sx(i)},${f.sy(v)}`).join(" ")}"><title>${escapeHtml(l.label)}</title>
       </polyline>`;
-  const legend = drawn.map(l => `<span><i class="swatch" style="background:${l.colour}"></i>${escapeHtml(l.label)}
-    </span>`).join("");
-  return `<svg viewBox="0 0 ${width} ${height}" role="img">${svg}</svg><div class="legend">${legend}</div>`;
+  const legend = drawn.map(l =>
+    `<span><i class="swatch" style="background:${l.colour}"></i>${escapeHtml(l.label)}</span>`).join("");
+  return `<svg viewBox="0 0 ${width} ${height}" role="img">${svg}</svg>
+    <div class="legend">${legend}</div>`;
 }

@@ -29,7 +29,8 @@ const columns = [
 ];
 
 function fill(id, values, chosen) {
-  byId(id).innerHTML = values.map(v => `<option value="${escapeHtml(v)}">${escapeHtml(v || "-")}</option>`).join("");
+  byId(id).innerHTML = values.map(v =>
+    `<option value="${escapeHtml(v)}">${escapeHtml(v || "-")}</option>`).join("");
   if (chosen !== undefined && values.includes(chosen)) byId(id).value = chosen;
 }
 
@@ -153,10 +154,10 @@ function drawClaims() {
 }
 
 function drawFloorsAndSettings() {
+  const cells = f => [f.gpu_ms.median, f.gpu_ms.min, f.gpu_ms.max, f.ns_per_pixel].map(v =>
+    `<td>${number(v, 4)}</td>`).join("");
   byId("floors").innerHTML = "<tr><th>floor</th><th>ms</th><th>min</th><th>max</th><th>ns / pixel</th></tr>" +
-    report.floors.map(f => `<tr><td>${escapeHtml(f.name)}</td><td>${number(f.gpu_ms.median, 4)}</td>` +
-    `<td>${number(f.gpu_ms.min, 4)}</td><td>${number(f.gpu_ms.max, 4)}</td><td>${number(f.ns_per_pixel)}</td></tr>`)
-    .join("");
+    report.floors.map(f => `<tr><td>${escapeHtml(f.name)}</td>${cells(f)}</tr>`).join("");
   const entries = Object.entries(report.settings).map(([k, v]) => [k.replace(/_/g, " "),
     Array.isArray(v) ? v.map(e => typeof e === "object" ? e.name : e).join(", ") : v]);
   byId("settings").innerHTML = entries.map(([k, v]) =>
