@@ -2,6 +2,7 @@
 // Deliberately wrong forms of the passes, each of which the comparison with the oracle or the poison must catch.
 // A mutant is a copy of hlsl/ with one text replaced; if the text is no longer there, the mutant has to follow.
 #include "camera_case.hpp"
+#include "object_case.hpp"
 #include "temporal_aa_case.hpp"
 
 #include <filesystem>
@@ -41,8 +42,10 @@ const std::vector<Mutant>& temporalAaMutants() {
          "float3(left.x, left.z, right.z)", compute, {}},
         {"farthestFragment", "reprise/depth.hlsli", "return a < b;", "return a > b;", fragment, {}},
         {"jitterSign", "passes/temporal_aa.hlsl", "gJitterPx * side;", "-gJitterPx * side;", fragment, {}},
-        {"motionSign", "passes/temporal_aa.hlsl", "float2 prevUv = uv - motion;", "float2 prevUv = uv + motion;",
-         fragment, {}},
+        {"motionSign", "passes/temporal_aa.hlsl", "float3 history = readHistory(uv - motion);",
+         "float3 history = readHistory(uv + motion);", fragment, {}},
+        {"quadReadsColumnInCompute", "reprise/quad_sharing.hlsli", "QuadReadAcrossX(value)", "QuadReadAcrossY(value)",
+         compute, {{"QUAD_SHARING", "on"}}},
         {"motionNotScaled", "passes/temporal_aa.hlsl", "SAMPLE(gInVelocity, uv).rg * gMotionToUv",
          "SAMPLE(gInVelocity, uv).rg", fragment, {}},
         {"roundedWithoutPlus", "reprise/neighbourhood.hlsli", "0.5 * (plus.minimum + square.minimum)",
@@ -55,13 +58,12 @@ const std::vector<Mutant>& temporalAaMutants() {
         {"feedbackEndsSwapped", "reprise/feedback.hlsli", "lerp(weightMin, weightMax,", "lerp(weightMax, weightMin,",
          fragment, {{"FEEDBACK", "luminance"}}},
         {"rowsSwappedInCompute", "passes/temporal_aa.hlsl",
-         "neighbourhoodOf(colourRows[y], colourRows[y + 1], colourRows[y + 2])",
-         "neighbourhoodOf(colourRows[y + 2], colourRows[y + 1], colourRows[y])", compute, {}},
+         "neighbourhoodOf(up, own, down)", "neighbourhoodOf(down, own, up)", compute, {}},
         {"halfTexelOff", "passes/temporal_aa.hlsl", "pxToUv(float2(firstPixel) + 0.5,", "pxToUv(float2(firstPixel),",
          compute, {}},
         {"halfTexelOffInFragment", "passes/temporal_aa.hlsl", "pxToUv(positionPx.xy,", "pxToUv(positionPx.xy - 0.5,",
          fragment, {}},
-        {"historyKeptOutsideTheImage", "passes/temporal_aa.hlsl", "isInsideUv(prevUv) ? weight * gHistoryValid : 0.0",
+        {"historyKeptOutsideTheImage", "passes/temporal_aa.hlsl", "isInsideUv(uv - motion) ? weight * gHistoryValid : 0.0",
          "weight * gHistoryValid", fragment, {}},
         {"invalidHistoryUsed", "passes/temporal_aa.hlsl", "weight * gHistoryValid : 0.0", "weight : 0.0", fragment, {}},
         {"motionBlurTrustInverted", "reprise/motion_blur.hlsli", "(blurToPx - motionPx)", "(motionPx - blurFromPx)",
@@ -92,6 +94,24 @@ const std::vector<Mutant>& cameraMutants() {
         {"rayNotScaledByDepth", "reprise/reprojection.hlsli", "ray * linearDepth, linearDepth", "ray, linearDepth",
          compute, {{"DEPTH_LINEAR", "on"}}},
         {"matrixTransposed", "reprise/conventions.hlsli", "return mul(v, m);", "return mul(m, v);", fragment, {}},
+    };
+    return mutants;
+}
+
+constexpr std::string_view addJitter = "output.positionPx.xy += gJitterNdc * output.positionCS.w;";
+
+const std::vector<Mutant>& objectMutants() {
+    static const std::vector<Mutant> mutants = {
+        {"previousSkinIsCurrent", "passes/object_velocity.hlsl", "skin(gInPrevJoints,", "skin(gInJoints,",
+         Stage::vertex, {{"SKINNING", "on"}}},
+        {"jointWeightsMixed", "passes/object_velocity.hlsl", "weights.y * transform", "weights.z * transform",
+         Stage::vertex, {{"SKINNING", "on"}}},
+        {"notJittered", "passes/object_velocity.hlsl", addJitter, "", Stage::vertex, {}},
+        {"motionJittered", "passes/object_velocity.hlsl", addJitter,
+         "output.positionCS.xy += gJitterNdc * output.positionCS.w; output.positionPx = output.positionCS;",
+         Stage::vertex, {}},
+        {"objectMotionReversed", "reprise/reprojection.hlsli", "clipToUv(positionCS) - clipToUv(prevPositionCS)",
+         "clipToUv(prevPositionCS) - clipToUv(positionCS)", fragment, {}},
     };
     return mutants;
 }
@@ -211,6 +231,20 @@ TEST_P(CameraVelocityMutant, isCaught) {
     EXPECT_FALSE(isCaughtBy(Pass(variantOf(pack(), "camera_velocity", mutant.switches), mutant.stage, {rg32f})));
     EXPECT_TRUE(isCaughtBy(Pass(variantOf(*mutated.pack, "camera_velocity", mutant.switches), mutant.stage, {rg32f},
                                 *mutated.pack)));
+}
+
+class ObjectVelocityMutant : public PassTest, public testing::WithParamInterface<Mutant> {};
+INSTANTIATE_TEST_SUITE_P(Mutants, ObjectVelocityMutant, testing::ValuesIn(objectMutants()),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+TEST_P(ObjectVelocityMutant, isCaught) {
+    const Mutant& mutant = GetParam();
+    const MutantPack mutated(mutant);
+    ASSERT_TRUE(mutated.pack) << mutant.file << " no longer holds: " << mutant.original;
+    ObjectCase object;
+    object.skinned = !mutant.switches.empty();
+    EXPECT_TRUE(compareWithOracle(object, recordedMotion(object)).holds());
+    EXPECT_FALSE(compareWithOracle(object, recordedMotion(object, *mutated.pack)).holds());
 }
 
 } // namespace
