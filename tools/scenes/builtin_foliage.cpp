@@ -73,10 +73,10 @@ void addTree(Scene& scene, glm::dvec3 foot, double size, uint32_t bark, uint32_t
 void addGrass(Scene& scene, uint32_t blade) {
     uint32_t patches[3];
     for (uint32_t i = 0; i < 3; ++i)
-        patches[i] = addMesh(scene, grassPatch(2.2f, 75, 91 + i));
-    for (int z = 0; z < 6; ++z) {
-        for (int x = -3 - z / 2; x <= 3 + z / 2; ++x) {
-            const glm::dmat4 place = at(2.0 * x, 0, -1.6 - 2.0 * z);
+        patches[i] = addMesh(scene, grassPatch(2.2f, 70, 91 + i));
+    for (int z = 0; z < 5; ++z) {
+        for (int x = -2 - z * 3 / 4; x <= 2 + z * 3 / 4; ++x) {
+            const glm::dmat4 place = at(2.0 * x, 0, -3.1 - 2.0 * z);
             const double phase = 0.9 * x + 0.6 * z;
             // Grass leans by shear, so that its feet stay on the ground.
             addMoving(scene, patches[size_t(x + z + 60) % 3], blade, [=](double t) {

@@ -48,12 +48,13 @@ VkSampler makeShadowSampler(VkDevice device, Cleanup& cleanup) {
 
 VkDescriptorPool makePool(VkDevice device, uint32_t sets, Cleanup& cleanup) {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sets},
-                                          {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, sets * 3},
+                                          {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, sets},
+                                          {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, sets * 2},
                                           {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, sets},
                                           {VK_DESCRIPTOR_TYPE_SAMPLER, sets}};
     auto info = structure<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
     info.maxSets = sets;
-    info.poolSizeCount = 4;
+    info.poolSizeCount = 5;
     info.pPoolSizes = sizes;
     VkDescriptorPool pool;
     check(vkCreateDescriptorPool(device, &info, nullptr, &pool), "create a descriptor pool");
@@ -82,14 +83,14 @@ void writeImage(VkDevice device, VkDescriptorSet set, uint32_t index, VkImageVie
     vkUpdateDescriptorSets(device, 1, &change, 0, nullptr);
 }
 
-void writeBuffer(VkDevice device, VkDescriptorSet set, uint32_t index, const harness::Buffer& buffer) {
-    const VkDescriptorBufferInfo range{buffer.buffer, 0, VK_WHOLE_SIZE};
+void writeBuffer(VkDevice device, VkDescriptorSet set, uint32_t index, VkDescriptorType type,
+                 const harness::Buffer& buffer, VkDeviceSize bytes) {
+    const VkDescriptorBufferInfo range{buffer.buffer, 0, bytes};
     auto change = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
     change.dstSet = set;
     change.dstBinding = index;
     change.descriptorCount = 1;
-    change.descriptorType =
-        index == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    change.descriptorType = type;
     change.pBufferInfo = &range;
     vkUpdateDescriptorSets(device, 1, &change, 0, nullptr);
 }

@@ -19,7 +19,7 @@ VkSampler makeShadowSampler(VkDevice device, Cleanup& cleanup);
 VkDescriptorPool makePool(VkDevice device, uint32_t sets, Cleanup& cleanup);
 VkDescriptorSet allocateSet(VkDevice device, VkDescriptorPool pool, VkDescriptorSetLayout layout);
 void writeImage(VkDevice device, VkDescriptorSet set, uint32_t index, VkImageView view);
-// A uniform buffer at binding 0, a storage buffer at any other.
-void writeBuffer(VkDevice device, VkDescriptorSet set, uint32_t index, const harness::Buffer& buffer);
+void writeBuffer(VkDevice device, VkDescriptorSet set, uint32_t index, VkDescriptorType type,
+                 const harness::Buffer& buffer, VkDeviceSize bytes = VK_WHOLE_SIZE);
 
 } // namespace scenes

@@ -102,6 +102,12 @@ struct Renderer::State {
         : gpu(owner), scene(what), width(w), height(h), depth(kind),
           data(makeSceneData(owner, what, cleanup)), bounds(sceneBounds(what, data, 0.0)) {}
 
+    // Instances lie in their buffer as far apart as dynamic offsets must.
+    VkDeviceSize instanceStride() const {
+        const VkDeviceSize step =
+            std::max<VkDeviceSize>(1, gpu.device().limits.minUniformBufferOffsetAlignment);
+        return (sizeof(InstanceData) + step - 1) / step * step;
+    }
     FrameSlot& slot(int frame);
     void fill(FrameSlot& slot, int frame);
     RenderConstants constants(int frame, glm::dvec2 jitterPx, float lodBias) const;
@@ -120,7 +126,9 @@ void Renderer::State::fill(FrameSlot& slot, int frame) {
     slot.palettes.clear();
     slot.content = frameContent(scene, data, bounds, frame, width, height, depth);
     std::memcpy(slot.uniforms.mapped, &slot.content.uniforms, sizeof(FrameUniforms));
-    write(slot.instances, slot.content.instances);
+    for (size_t i = 0; i < slot.content.instances.size(); ++i)
+        std::memcpy(slot.instances.mapped + i * instanceStride(), &slot.content.instances[i],
+                    sizeof(InstanceData));
     write(slot.palette, slot.content.palette);
     write(slot.prevPalette, slot.content.prevPalette);
 }
@@ -135,15 +143,17 @@ FrameSlot& Renderer::State::slot(int frame) {
                 joints += data.meshes[instance.mesh].jointCount;
             const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
             found->uniforms = gpu.buffer(sizeof(FrameUniforms), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-            found->instances =
-                gpu.buffer(sizeof(InstanceData) * std::max<size_t>(1, scene.instances.size()), storage);
+            found->instances = gpu.buffer(instanceStride() * std::max<size_t>(1, scene.instances.size()),
+                                          VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
             found->palette = gpu.buffer(sizeof(glm::mat4) * joints, storage);
             found->prevPalette = gpu.buffer(sizeof(glm::mat4) * joints, storage);
             found->set = allocateSet(gpu.handle(), pool, frameLayout);
-            uint32_t index = 0;
-            for (const auto* buffer :
-                 {&found->uniforms, &found->instances, &found->palette, &found->prevPalette})
-                writeBuffer(gpu.handle(), found->set, index++, *buffer);
+            const VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+            const VkDescriptorType dynamic = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
+            writeBuffer(gpu.handle(), found->set, 0, uniform, found->uniforms);
+            writeBuffer(gpu.handle(), found->set, 1, dynamic, found->instances, sizeof(InstanceData));
+            writeBuffer(gpu.handle(), found->set, 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, found->palette);
+            writeBuffer(gpu.handle(), found->set, 3, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, found->prevPalette);
             writeImage(gpu.handle(), found->set, 4, shadows.ref.view);
         }
         fill(*found, frame);
@@ -167,7 +177,9 @@ RenderConstants Renderer::State::constants(int frame, glm::dvec2 jitterPx, float
 void Renderer::State::bind(VkCommandBuffer commands, const FrameSlot& slot,
                            const RenderConstants& constants) {
     const VkPipelineLayout layout = pipelines->layout(Draw::scene);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &slot.set, 0, nullptr);
+    const uint32_t firstInstance = 0;
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &slot.set, 1,
+                            &firstInstance);
     vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                        sizeof(constants), &constants);
 }
@@ -190,6 +202,9 @@ void Renderer::State::drawInstances(VkCommandBuffer commands, const FrameSlot& s
             vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines->layout(draw), 1, 1,
                                     &texture, 0, nullptr);
         }
+        const auto offset = uint32_t(index * instanceStride());
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines->layout(draw), 0, 1,
+                                &slot.set, 1, &offset);
         const bool mirrored = glm::determinant(glm::mat3(slot.content.instances[index].objectToWorld)) < 0.0f;
         const bool bothSides = material.twoSided || draw == Draw::shadow;
         vkCmdSetCullMode(commands, bothSides  ? VK_CULL_MODE_NONE
@@ -200,7 +215,7 @@ void Renderer::State::drawInstances(VkCommandBuffer commands, const FrameSlot& s
         const VkDeviceSize offsets[] = {mesh.positions, mesh.attributes, mesh.joints, mesh.weights};
         vkCmdBindVertexBuffers(commands, 0, mesh.skinned ? 4 : 2, buffers, offsets);
         vkCmdBindIndexBuffer(commands, data.indices.buffer, mesh.indices, VK_INDEX_TYPE_UINT32);
-        vkCmdDrawIndexed(commands, mesh.indexCount, 1, 0, 0, index);
+        vkCmdDrawIndexed(commands, mesh.indexCount, 1, 0, 0, 0);
     }
 }
 
@@ -281,7 +296,7 @@ Renderer::Renderer(harness::Gpu& gpu, const Scene& scene, uint32_t width, uint32
     const VkDevice device = gpu.handle();
     const VkSampler sampler = makeShadowSampler(device, state.cleanup);
     const VkDescriptorSetLayoutBinding frame[] = {
-        binding(0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER), binding(1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
+        binding(0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER), binding(1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC),
         binding(2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER), binding(3, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER),
         binding(4, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE),  binding(5, VK_DESCRIPTOR_TYPE_SAMPLER, &sampler)};
     const VkDescriptorSetLayoutBinding accumulate[] = {binding(0, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE)};

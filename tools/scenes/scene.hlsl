@@ -17,36 +17,33 @@ struct Varyings {
     [[vk::location(0)]] float3 positionWS : TEXCOORD0;
     [[vk::location(1)]] float3 normalWS : TEXCOORD1;
     [[vk::location(2)]] float2 uv : TEXCOORD2;
-    [[vk::location(3)]] nointerpolation uint instance : TEXCOORD3;
 #if GBUFFER
-    [[vk::location(4)]] float3 prevClip : TEXCOORD4;   // x, y, w
+    [[vk::location(3)]] float3 prevClip : TEXCOORD3;   // x, y, w
 #endif
 };
 
 Varyings mainVertex(VertexInput input) {
-    InstanceData instance = gInstances[input.instance];
     float4 position = float4(input.position, 1.0);
     float4 prevPosition = position;
     float3 normal = input.normal;
 #if SKINNED
-    uint firstJoint = instance.identity.y;
+    uint firstJoint = gIdentity.y;
     float4x4 skin = skinMatrix(firstJoint, input.joints, input.weights);
     position = mul(position, skin);
     normal = mul(normal, (float3x3)skin);
     prevPosition = mul(prevPosition, prevSkinMatrix(firstJoint, input.joints, input.weights));
 #endif
     Varyings output;
-    output.positionWS = mul(position, instance.objectToWorld).xyz;
-    output.normalWS = instance.normalToWorld[0].xyz * normal.x + instance.normalToWorld[1].xyz * normal.y +
-                      instance.normalToWorld[2].xyz * normal.z;
+    output.positionWS = mul(position, gObjectToWorld).xyz;
+    output.normalWS = gNormalToWorld[0].xyz * normal.x + gNormalToWorld[1].xyz * normal.y +
+                      gNormalToWorld[2].xyz * normal.z;
     output.uv = input.uv;
-    output.instance = input.instance;
     // Precise: the depth pass and the pass after it must agree to the bit.
-    precise float4 positionCS = mul(position, instance.objectToClip);
+    precise float4 positionCS = mul(position, gObjectToClip);
     positionCS.xy += gRender.jitterNdc * positionCS.w;
     output.positionPx = positionCS;
 #if GBUFFER
-    output.prevClip = mul(prevPosition, instance.prevObjectToClip).xyw;
+    output.prevClip = mul(prevPosition, gPrevObjectToClip).xyw;
 #endif
     return output;
 }
@@ -124,8 +121,8 @@ struct Targets {
 
 #if DEPTH_ONLY
 void mainFragment(Varyings input) {
-    float alpha = gAlbedo.SampleBias(gAlbedo_sampler, input.uv, gRender.lodBias).a;
-    if (alpha * gInstances[input.instance].baseColour.a < gInstances[input.instance].alphaCutoff.x) discard;
+    float alpha = gAlpha.SampleBias(gAlpha_sampler, input.uv, gRender.lodBias).a;
+    if (alpha * gBaseColour.a < gAlphaCutoff.x) discard;
 }
 #else
 Targets mainFragment(Varyings input
@@ -133,21 +130,20 @@ Targets mainFragment(Varyings input
                      , uint primitive : SV_PrimitiveID
 #endif
 ) {
-    InstanceData instance = gInstances[input.instance];
-    float4 base = instance.baseColour;
+    float4 base = gBaseColour;
 #if TEXTURED
     base *= gAlbedo.SampleBias(gAlbedo_sampler, input.uv, gRender.lodBias);
 #endif
     float3 normal = normalize(input.normalWS);
     // Back faces are drawn only where a material has two sides: light them from behind their normal too.
-    normal = instance.alphaCutoff.y > 0.0 && dot(normal, input.positionWS - gCameraWS.xyz) > 0.0 ? -normal : normal;
+    normal = gAlphaCutoff.y > 0.0 && dot(normal, input.positionWS - gCameraWS.xyz) > 0.0 ? -normal : normal;
     Targets output;
-    output.colour = float4(shade(base.rgb, instance.emission.rgb, instance.emission.a, input.positionWS, normal), 1.0);
+    output.colour = float4(shade(base.rgb, gEmission.rgb, gEmission.a, input.positionWS, normal), 1.0);
 #if GBUFFER
     output.depth = input.positionPx.z;
     output.normal = float4(normal, 0.0);
     output.motion = motionUv(input.positionPx.xy, input.prevClip);
-    output.ids = uint2(instance.identity.x, primitive + 1);
+    output.ids = uint2(gIdentity.x, primitive + 1);
 #endif
     return output;
 }

@@ -25,17 +25,17 @@ static const float PI = 3.14159265;
     float4 gSkyDepth;                          // x: device depth at infinity
 };
 
-struct InstanceData {
-    row_major float4x4 objectToWorld;
-    row_major float4x4 objectToClip;       // unjittered, as the next
-    row_major float4x4 prevObjectToClip;
-    float4 normalToWorld[3];               // columns
-    float4 baseColour;
-    float4 emission;                       // rgb; a is roughness
-    float4 alphaCutoff;                    // x
-    uint4 identity;                        // instance + 1, first joint or NO_PALETTE
+// One draw's part of the instances, at a dynamic offset: the same for all its invocations, so it is read once.
+[[vk::binding(1, 0)]] cbuffer InstanceData {
+    row_major float4x4 gObjectToWorld;
+    row_major float4x4 gObjectToClip;      // unjittered, as the next
+    row_major float4x4 gPrevObjectToClip;
+    float4 gNormalToWorld[3];              // columns
+    float4 gBaseColour;
+    float4 gEmission;                      // rgb; a is roughness
+    float4 gAlphaCutoff;                   // x; y above 0: both sides are seen
+    uint4 gIdentity;                       // instance + 1, first joint or NO_PALETTE
 };
-[[vk::binding(1, 0)]] StructuredBuffer<InstanceData> gInstances;
 
 struct Joint {
     row_major float4x4 toWorld;
@@ -45,6 +45,9 @@ struct Joint {
 
 [[vk::binding(6, 1)]] Texture2D gAlbedo;
 [[vk::binding(7, 1)]] SamplerState gAlbedo_sampler;
+// The same texels without sRGB decoding and from one mip, for alpha tests: on a CPU rasteriser half the price.
+[[vk::binding(8, 1)]] Texture2D gAlpha;
+[[vk::binding(9, 1)]] SamplerState gAlpha_sampler;
 
 struct RenderConstants {
     float2 jitterNdc;    // what the jittered projection adds to NDC
@@ -62,7 +65,6 @@ struct VertexInput {
     [[vk::location(3)]] uint4 joints : BLENDINDICES;
     [[vk::location(4)]] float4 weights : BLENDWEIGHT;
 #endif
-    uint instance : SV_InstanceID;
 };
 
 #if SKINNED

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_data.hpp"
 
+#include "descriptors.hpp"
+
 #include <algorithm>
 #include <cstring>
 
@@ -74,6 +76,7 @@ uint32_t memoryType(const reprise::Device& device, uint32_t allowed) {
 VkImage makeImage(harness::Gpu& gpu, const Texture& base, uint32_t mips, Cleanup& cleanup) {
     const VkDevice device = gpu.handle();
     auto info = structure<VkImageCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO);
+    info.flags = VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT; // also seen without sRGB decoding
     info.imageType = VK_IMAGE_TYPE_2D;
     info.format = VK_FORMAT_R8G8B8A8_SRGB;
     info.extent = {base.width, base.height, 1};
@@ -139,26 +142,34 @@ void copyMips(harness::Gpu& gpu, VkImage image, const std::vector<Texture>& mips
     });
 }
 
-VkImageView makeTexture(harness::Gpu& gpu, const Texture& texture, float alphaCutoff, Cleanup& cleanup) {
-    const std::vector<Texture> mips = mipChain(texture, alphaCutoff);
-    const VkImage image = makeImage(gpu, texture, uint32_t(mips.size()), cleanup);
-    copyMips(gpu, image, mips);
-    const VkDevice device = gpu.handle();
+VkImageView makeView(VkDevice device, VkImage image, VkFormat format, size_t mips, Cleanup& cleanup) {
     auto info = structure<VkImageViewCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO);
     info.image = image;
     info.viewType = VK_IMAGE_VIEW_TYPE_2D;
-    info.format = VK_FORMAT_R8G8B8A8_SRGB;
-    info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, uint32_t(mips.size()), 0, 1};
+    info.format = format;
+    info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, uint32_t(mips), 0, 1};
     VkImageView view;
     check(vkCreateImageView(device, &info, nullptr, &view), "view a texture");
     cleanup.add([=] { vkDestroyImageView(device, view, nullptr); });
     return view;
 }
 
-VkSampler makeSampler(VkDevice device, Cleanup& cleanup) {
+struct TextureViews {
+    VkImageView albedo, alpha;
+};
+
+TextureViews makeTexture(harness::Gpu& gpu, const Texture& texture, float alphaCutoff, Cleanup& cleanup) {
+    const std::vector<Texture> mips = mipChain(texture, alphaCutoff);
+    const VkImage image = makeImage(gpu, texture, uint32_t(mips.size()), cleanup);
+    copyMips(gpu, image, mips);
+    return {makeView(gpu.handle(), image, VK_FORMAT_R8G8B8A8_SRGB, mips.size(), cleanup),
+            makeView(gpu.handle(), image, VK_FORMAT_R8G8B8A8_UNORM, mips.size(), cleanup)};
+}
+
+VkSampler makeSampler(VkDevice device, VkSamplerMipmapMode mips, Cleanup& cleanup) {
     auto info = structure<VkSamplerCreateInfo>(VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO);
     info.magFilter = info.minFilter = VK_FILTER_LINEAR;
-    info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+    info.mipmapMode = mips;
     info.maxLod = VK_LOD_CLAMP_NONE;
     VkSampler sampler;
     check(vkCreateSampler(device, &info, nullptr, &sampler), "create a sampler");
@@ -166,13 +177,18 @@ VkSampler makeSampler(VkDevice device, Cleanup& cleanup) {
     return sampler;
 }
 
-VkDescriptorSetLayout makeLayout(VkDevice device, VkSampler sampler, Cleanup& cleanup) {
+VkDescriptorSetLayout makeLayout(VkDevice device, Cleanup& cleanup) {
+    const VkSampler albedo = makeSampler(device, VK_SAMPLER_MIPMAP_MODE_LINEAR, cleanup);
+    const VkSampler alpha = makeSampler(device, VK_SAMPLER_MIPMAP_MODE_NEAREST, cleanup);
+    const VkShaderStageFlags fragment = VK_SHADER_STAGE_FRAGMENT_BIT;
     const VkDescriptorSetLayoutBinding bindings[] = {
-        {6, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr},
-        {7, VK_DESCRIPTOR_TYPE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, &sampler}};
+        {6, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, 1, fragment, nullptr},
+        {7, VK_DESCRIPTOR_TYPE_SAMPLER, 1, fragment, &albedo},
+        {8, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, 1, fragment, nullptr},
+        {9, VK_DESCRIPTOR_TYPE_SAMPLER, 1, fragment, &alpha}};
     auto info =
         structure<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
-    info.bindingCount = 2;
+    info.bindingCount = 4;
     info.pBindings = bindings;
     VkDescriptorSetLayout layout;
     check(vkCreateDescriptorSetLayout(device, &info, nullptr, &layout), "create a descriptor layout");
@@ -180,11 +196,11 @@ VkDescriptorSetLayout makeLayout(VkDevice device, VkSampler sampler, Cleanup& cl
     return layout;
 }
 
-void makeTextureSets(VkDevice device, const std::vector<VkImageView>& views, SceneData& data,
+void makeTextureSets(VkDevice device, const std::vector<TextureViews>& views, SceneData& data,
                      Cleanup& cleanup) {
     const auto count = uint32_t(views.size());
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, count},
-                                          {VK_DESCRIPTOR_TYPE_SAMPLER, count}};
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, count * 2},
+                                          {VK_DESCRIPTOR_TYPE_SAMPLER, count * 2}};
     auto info = structure<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
     info.maxSets = count;
     info.poolSizeCount = 2;
@@ -200,14 +216,8 @@ void makeTextureSets(VkDevice device, const std::vector<VkImageView>& views, Sce
     data.textureSets.resize(count);
     check(vkAllocateDescriptorSets(device, &allocation, data.textureSets.data()), "allocate descriptor sets");
     for (uint32_t i = 0; i < count; ++i) {
-        const VkDescriptorImageInfo image{VK_NULL_HANDLE, views[i], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-        auto write = structure<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
-        write.dstSet = data.textureSets[i];
-        write.dstBinding = 6;
-        write.descriptorCount = 1;
-        write.descriptorType = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
-        write.pImageInfo = &image;
-        vkUpdateDescriptorSets(device, 1, &write, 0, nullptr);
+        writeImage(device, data.textureSets[i], 6, views[i].albedo);
+        writeImage(device, data.textureSets[i], 8, views[i].alpha);
     }
 }
 
@@ -222,8 +232,8 @@ float cutoffOf(const Scene& scene, int texture) {
 SceneData makeSceneData(harness::Gpu& gpu, const Scene& scene, Cleanup& cleanup) {
     SceneData data;
     makeMeshes(gpu, scene, data);
-    data.textureLayout = makeLayout(gpu.handle(), makeSampler(gpu.handle(), cleanup), cleanup);
-    std::vector<VkImageView> views{makeTexture(gpu, {1, 1, {255, 255, 255, 255}}, 0.0f, cleanup)};
+    data.textureLayout = makeLayout(gpu.handle(), cleanup);
+    std::vector<TextureViews> views{makeTexture(gpu, {1, 1, {255, 255, 255, 255}}, 0.0f, cleanup)};
     for (size_t i = 0; i < scene.textures.size(); ++i)
         views.push_back(makeTexture(gpu, scene.textures[i], cutoffOf(scene, int(i)), cleanup));
     makeTextureSets(gpu.handle(), views, data, cleanup);
