@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adds one rendering to the sum of the ground truth, after the tone curve of the report: additive blending sums.
+// Adds one rendering to the sum of the ground truth, after the tone curve of the report: blending sums.
 [[vk::binding(0, 0)]] Texture2D<float4> gColour;
 
 struct Varyings {

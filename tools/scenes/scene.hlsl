@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lit colour of the scene, and with GBUFFER what temporal passes read beside it.
-// Switches: SKINNED, TEXTURED, GBUFFER, POINT_LIGHTS (their number), DEPTH_ONLY (alpha test and nothing else; what
-// is drawn after it needs no test).
+// Switches: SKINNED, TEXTURED, GBUFFER, POINT_LIGHTS (their number), DEPTH_ONLY (alpha test and nothing else;
+// what is drawn after it needs no test).
 #include "scene_common.hlsli"
 
 [[vk::binding(4, 0)]] Texture2D gShadows;
@@ -60,6 +60,10 @@ float sunVisibility(float3 positionWS, float3 normalWS) {
     return linearDepth > gCascadeFar.z ? 1.0 : lit;
 }
 
+float fresnelSchlick(float cosine) {
+    return DIELECTRIC_REFLECTANCE + (1.0 - DIELECTRIC_REFLECTANCE) * pow(1.0 - cosine, 5.0);
+}
+
 // GGX with the height-correlated visibility term in its common approximation by Hammon.
 float3 reflected(float3 albedo, float3 normal, float3 view, float3 light, float roughness) {
     float3 halfway = normalize(view + light);
@@ -69,14 +73,14 @@ float3 reflected(float3 albedo, float3 normal, float3 view, float3 light, float 
     float spread = nh * nh * (a2 - 1.0) + 1.0;
     float distribution = a2 / (PI * spread * spread);
     float visibility = 0.5 / lerp(2.0 * nl * nv, nl + nv, a);
-    float fresnel = DIELECTRIC_REFLECTANCE + (1.0 - DIELECTRIC_REFLECTANCE) * pow(1.0 - vh, 5.0);
+    float fresnel = fresnelSchlick(vh);
     // Radiance is given for a white diffuse surface: irradiance over pi.
     return (albedo + PI * distribution * visibility * fresnel) * nl;
 }
 
 float3 ambient(float3 albedo, float3 normal, float3 view, float roughness) {
     float3 hemisphere = lerp(gGroundRadiance.rgb, gSkyRadiance.rgb, normal.y * 0.5 + 0.5);
-    float fresnel = DIELECTRIC_REFLECTANCE + (1.0 - DIELECTRIC_REFLECTANCE) * pow(1.0 - saturate(dot(normal, view)), 5.0);
+    float fresnel = fresnelSchlick(saturate(dot(normal, view)));
     float smoothness = (1.0 - roughness) * (1.0 - roughness);
     return albedo * hemisphere + skyColour(reflect(-view, normal)) * fresnel * smoothness;
 }

@@ -25,7 +25,7 @@ static const float PI = 3.14159265;
     float4 gSkyDepth;                          // x: device depth at infinity
 };
 
-// One draw's part of the instances, at a dynamic offset: the same for all its invocations, so it is read once.
+// One draw's part of the instances, at a dynamic offset: uniform, so it is read once and not per pixel.
 [[vk::binding(1, 0)]] cbuffer InstanceData {
     row_major float4x4 gObjectToWorld;
     row_major float4x4 gObjectToClip;      // unjittered, as the next
@@ -45,7 +45,7 @@ struct Joint {
 
 [[vk::binding(6, 1)]] Texture2D gAlbedo;
 [[vk::binding(7, 1)]] SamplerState gAlbedo_sampler;
-// The same texels without sRGB decoding and from one mip, for alpha tests: on a CPU rasteriser half the price.
+// The same texels without sRGB decoding and from one mip, for alpha tests: cheaper on a CPU rasteriser.
 [[vk::binding(8, 1)]] Texture2D gAlpha;
 [[vk::binding(9, 1)]] SamplerState gAlpha_sampler;
 
@@ -75,8 +75,10 @@ float4x4 skinMatrix(uint first, uint4 joints, float4 weights) {
 }
 
 float4x4 prevSkinMatrix(uint first, uint4 joints, float4 weights) {
-    return gPrevJoints[first + joints.x].toWorld * weights.x + gPrevJoints[first + joints.y].toWorld * weights.y +
-           gPrevJoints[first + joints.z].toWorld * weights.z + gPrevJoints[first + joints.w].toWorld * weights.w;
+    return gPrevJoints[first + joints.x].toWorld * weights.x +
+           gPrevJoints[first + joints.y].toWorld * weights.y +
+           gPrevJoints[first + joints.z].toWorld * weights.z +
+           gPrevJoints[first + joints.w].toWorld * weights.w;
 }
 #endif
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// scene_pictures DIR [--frame N] [--size WxH] [--truth N] [--mark motion|normal|ids] [SCENE or FILE ...]
-// One PNG a scene: one rendering, or with --truth the mean of N, as the report's pictures are made.
+// scene_pictures DIR [--frame N] [--width W] [--height H] [--truth N] [--mark motion|normal|ids] [SCENE or
+// FILE ...] One PNG a scene: one rendering, or with --truth the mean of N, as the report's pictures are made.
 #include "renderer.hpp"
 
 #include <algorithm>

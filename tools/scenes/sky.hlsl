@@ -31,7 +31,8 @@ Targets mainFragment(Varyings input) {
     Targets output;
     output.colour = float4(skyColour(normalize(ray)), 1.0);
 #if GBUFFER
-    float3 prev = float3(dot(gSkyToPrevClip[0].xyz, ndc), dot(gSkyToPrevClip[1].xyz, ndc), dot(gSkyToPrevClip[2].xyz, ndc));
+    float3 prev = float3(dot(gSkyToPrevClip[0].xyz, ndc), dot(gSkyToPrevClip[1].xyz, ndc),
+                         dot(gSkyToPrevClip[2].xyz, ndc));
     float2 prevUv = float2(prev.x / prev.z * 0.5 + 0.5, 0.5 - prev.y / prev.z * 0.5);
     output.depth = gSkyDepth.x;
     output.normal = float4(0.0, 0.0, 0.0, 0.0);
