@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole passes in double precision, composed of the oracle's functions, one pixel at a time.
 //
-// A device does not get every quantity exactly: coordinates are rounded, filters have weights of few bits, sums
-// are rounded. Each such quantity of a pixel is numbered in the order of use, and `Disturbance` moves one of them by
-// its error. The sum of what each moves the result by is the bound to which a device's result is held: it is small
-// where the pass is well conditioned and says by itself where it is not.
+// A device does not get every quantity exactly: coordinates are rounded, filters have weights of few bits,
+// sums are rounded. Each such quantity of a pixel is numbered in the order of use, and `Disturbance` moves
+// one of them by its error. The sum of what each moves the result by is the bound to which a device's result
+// is held: it is small where the pass is well conditioned and says by itself where it is not.
 #pragma once
 
 #include "oracle.hpp"
@@ -19,7 +19,9 @@ public:
     explicit Disturbance(int target = -1, double sign = 0.0) : target_(target), sign_(sign) {}
 
     double operator()(double value, double error) { return next() ? value + sign_ * error : value; }
-    dvec2 operator()(dvec2 value, dvec2 error) { return {(*this)(value.x, error.x), (*this)(value.y, error.y)}; }
+    dvec2 operator()(dvec2 value, dvec2 error) {
+        return {(*this)(value.x, error.x), (*this)(value.y, error.y)};
+    }
     dvec3 operator()(dvec3 value, dvec3 error) {
         return {(*this)(value.x, error.x), (*this)(value.y, error.y), (*this)(value.z, error.z)};
     }
@@ -52,7 +54,7 @@ struct TemporalAa {
     const Image* velocity = nullptr;
     const Image* history = nullptr;
 
-    double filterErrorPx = 0.0;   // of the weights of the device's linear filter
+    double filterErrorPx = 0.0; // of the weights of the device's linear filter
 };
 
 struct TemporalAaPixel {
@@ -90,8 +92,8 @@ inline dvec2 motionAt(const TemporalAa& taa, int x, int y) {
     return dvec2(texelClamped(*taa.velocity, x + offset.x, y + offset.y)) * taa.motionToUv;
 }
 
-// What the neighbourhood gives: the box, the current colour to blend with, and the largest number in reach, to
-// which roundings are relative.
+// What the neighbourhood gives: the box, the current colour to blend with, and the largest number in reach,
+// to which roundings are relative.
 struct Surroundings {
     Box box;
     dvec3 current{0.0};
@@ -106,7 +108,8 @@ inline Surroundings surroundingsFourTap(const TemporalAa& taa, int x, int y, dve
     };
     double reach = fourTapDistance(glm::length(motionPx));
     std::array<dvec3, 4> taps;
-    for (size_t i = 0; i < 4; ++i) taps[i] = read(uv + texel * reach * dvec2(i % 2 ? 1.0 : -1.0, i < 2 ? -1.0 : 1.0));
+    for (size_t i = 0; i < 4; ++i)
+        taps[i] = read(uv + texel * reach * dvec2(i % 2 ? 1.0 : -1.0, i < 2 ? -1.0 : 1.0));
     dvec3 centre = toWorking(taa, dvec3(texelClamped(*taa.colour, x, y)));
     Surroundings result;
     result.box = boxOfFourTaps(centre, taps);
@@ -120,7 +123,8 @@ inline dvec3 unjittered(const TemporalAa& taa, const Square& square) {
     using Unjitter = TemporalAa::Unjitter;
     if (taa.unjitter == Unjitter::off) return square[squareCentre];
     auto weights = [&](double jitter) {
-        return taa.unjitter == Unjitter::bilinear ? unjitterWeightsBilinear(jitter) : unjitterWeightsGaussian(jitter);
+        return taa.unjitter == Unjitter::bilinear ? unjitterWeightsBilinear(jitter)
+                                                  : unjitterWeightsGaussian(jitter);
     };
     return weighSquare(square, weights(taa.jitterPx.x), weights(taa.jitterPx.y));
 }
@@ -141,7 +145,8 @@ inline Surroundings surroundingsSquare(const TemporalAa& taa, int x, int y) {
 inline double largestAround(const TemporalAa& taa, int x, int y) {
     double largest = 0.0;
     for (int i = 0; i < 25; ++i) {
-        dvec3 colour = glm::abs(toWorking(taa, dvec3(texelClamped(*taa.colour, x + i % 5 - 2, y + i / 5 - 2))));
+        dvec3 colour =
+            glm::abs(toWorking(taa, dvec3(texelClamped(*taa.colour, x + i % 5 - 2, y + i / 5 - 2))));
         largest = std::max({largest, colour.x, colour.y, colour.z});
     }
     return largest;
@@ -150,10 +155,14 @@ inline double largestAround(const TemporalAa& taa, int x, int y) {
 inline dvec3 constrained(const TemporalAa& taa, dvec3 history, const Surroundings& around) {
     using Constraint = TemporalAa::Constraint;
     switch (taa.constraint) {
-    case Constraint::clamp: return clampToBox(history, around.box);
-    case Constraint::clipCentre: return clipToBoxCentre(history, around.box);
-    case Constraint::clipLine: return clipToBoxLine(history, around.current, around.box);
-    case Constraint::none: break;
+    case Constraint::clamp:
+        return clampToBox(history, around.box);
+    case Constraint::clipCentre:
+        return clipToBoxCentre(history, around.box);
+    case Constraint::clipLine:
+        return clipToBoxLine(history, around.current, around.box);
+    case Constraint::none:
+        break;
     }
     return history;
 }
@@ -168,12 +177,14 @@ inline double feedback(const TemporalAa& taa, dvec3 current, dvec3 history) {
 inline dvec3 rangeAround(const Image& image, dvec2 uv) {
     Box box{dvec3(maxColour), dvec3(0.0)};
     ivec2 first(glm::floor(glm::clamp(uv, -1.0, 2.0) * image.extent() - 0.5));
-    for (int i = 0; i < 16; ++i) box = extended(box, dvec3(texelClamped(image, first.x + i % 4 - 1, first.y + i / 4 - 1)));
+    for (int i = 0; i < 16; ++i)
+        box = extended(box, dvec3(texelClamped(image, first.x + i % 4 - 1, first.y + i / 4 - 1)));
     return box.maximum - box.minimum;
 }
 
 inline dvec3 historyAt(const TemporalAa& taa, dvec2 uv) {
-    return toWorking(taa, taa.bicubic ? sampleCatmullRom5(*taa.history, uv) : dvec3(sampleLinear(*taa.history, uv)));
+    return toWorking(taa, taa.bicubic ? sampleCatmullRom5(*taa.history, uv)
+                                      : dvec3(sampleLinear(*taa.history, uv)));
 }
 
 // Mean of the seven reads along the motion, each with the error of its own coordinate.
@@ -186,7 +197,8 @@ inline dvec3 blurredAt(const TemporalAa& taa, dvec2 uv, dvec2 motion, Disturbanc
     return sum;
 }
 
-inline TemporalAaPixel temporalAa(const TemporalAa& taa, int x, int y, Disturbance disturb, int* count = nullptr) {
+inline TemporalAaPixel temporalAa(const TemporalAa& taa, int x, int y, Disturbance disturb,
+                                  int* count = nullptr) {
     dvec2 extent = taa.colour->extent();
     dvec2 uv = dvec2(x + 0.5, y + 0.5) / extent;
     dvec2 motion = motionAt(taa, x, y);
@@ -231,7 +243,8 @@ inline TemporalAaPixel temporalAaError(const TemporalAa& taa, int x, int y) {
     for (int target = 0; target < count; ++target) {
         TemporalAaPixel up = temporalAa(taa, x, y, Disturbance(target, 1.0));
         TemporalAaPixel down = temporalAa(taa, x, y, Disturbance(target, -1.0));
-        error.history += glm::max(glm::abs(up.history - exact.history), glm::abs(down.history - exact.history));
+        error.history +=
+            glm::max(glm::abs(up.history - exact.history), glm::abs(down.history - exact.history));
         error.colour += glm::max(glm::abs(up.colour - exact.colour), glm::abs(down.colour - exact.colour));
     }
     return error;
@@ -239,8 +252,8 @@ inline TemporalAaPixel temporalAaError(const TemporalAa& taa, int x, int y) {
 
 // --- Velocity
 
-// Where a device works in float32, the error of a motion in pixels is that of two coordinates in NDC: a matrix
-// product of four terms and a division, each relative to the largest term, which a test states.
+// Where a device works in float32, the error of a motion in pixels is that of two coordinates in NDC: a
+// matrix product of four terms and a division, each relative to the largest term, which a test states.
 struct CameraVelocity {
     Camera current, previous;
     dvec2 jitterPx{0.0}, extent{1.0};

@@ -19,11 +19,13 @@ bool isHalf(VkFormat format) {
 
 Pixels emptyPixels(VkFormat format, int width, int height) {
     const int channels = static_cast<int>(harness::channelCount(format));
-    return {format, width, height, channels, std::vector<float>(static_cast<size_t>(width * height * channels))};
+    return {format, width, height, channels,
+            std::vector<float>(static_cast<size_t>(width * height * channels))};
 }
 
 harness::Image uploaded(const Pixels& pixels) {
-    auto image = gpu().image(pixels.format, static_cast<uint32_t>(pixels.width), static_cast<uint32_t>(pixels.height));
+    auto image =
+        gpu().image(pixels.format, static_cast<uint32_t>(pixels.width), static_cast<uint32_t>(pixels.height));
     gpu().uploadFloats(image, pixels.values);
     return image;
 }
@@ -69,7 +71,8 @@ Pixels makePixels(VkFormat format, int width, int height, const std::function<Te
             const Texel texel = texelAt(x, y);
             for (int c = 0; c < pixels.channels; ++c) {
                 const float value = texel[static_cast<size_t>(c)];
-                pixels.at(x, y, c) = isHalf(format) ? harness::halfToFloat(harness::floatToHalf(value)) : value;
+                pixels.at(x, y, c) =
+                    isHalf(format) ? harness::halfToFloat(harness::floatToHalf(value)) : value;
             }
         }
     }
@@ -80,7 +83,8 @@ oracle::Image oracleImage(const Pixels& pixels) {
     oracle::Image image(pixels.width, pixels.height, glm::dvec4(0.0, 0.0, 0.0, 1.0));
     for (int y = 0; y < pixels.height; ++y)
         for (int x = 0; x < pixels.width; ++x)
-            for (int c = 0; c < pixels.channels; ++c) image.at(x, y)[c] = pixels.at(x, y, c);
+            for (int c = 0; c < pixels.channels; ++c)
+                image.at(x, y)[c] = pixels.at(x, y, c);
     return image;
 }
 
@@ -94,7 +98,8 @@ const reprisec::Pack& pack() {
     return instance;
 }
 
-Variant variantOf(const reprisec::Pack& from, std::string_view pass, const std::vector<reprise::Condition>& switches) {
+Variant variantOf(const reprisec::Pack& from, std::string_view pass,
+                  const std::vector<reprise::Condition>& switches) {
     Variant variant = orThrow(reprise::makeVariant(from.passes(), pass));
     for (const auto& each : switches) {
         const auto done = reprise::setSwitch(variant, each.switchName, each.value);
@@ -124,25 +129,29 @@ std::vector<Variant> randomVariants(std::string_view pass, int count, uint64_t s
 const std::vector<uint32_t>& spirvOf(const reprisec::Pack& from, const Variant& variant, Stage stage,
                                      const PlatformSwitches& platform) {
     static std::map<std::string, std::vector<uint32_t>> cache;
-    std::string key = from.file().string() + "|" + reprise::spirvFileName(reprise::forStage(variant, stage), stage);
-    for (const auto& [name, value] : platform) key += "|" + name + std::to_string(value);
+    std::string key =
+        from.file().string() + "|" + reprise::spirvFileName(reprise::forStage(variant, stage), stage);
+    for (const auto& [name, value] : platform)
+        key += "|" + name + std::to_string(value);
     const auto found = cache.find(key);
     if (found != cache.end()) return found->second;
-    auto compiled = orThrow(reprisec::compile(from, variant, stage, {.glsl = false, .platformSwitches = platform}));
+    auto compiled =
+        orThrow(reprisec::compile(from, variant, stage, {.glsl = false, .platformSwitches = platform}));
     return cache.emplace(key, std::move(compiled.spirv)).first->second;
 }
 
-Pass::Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats, const reprisec::Pack& from,
-           const PlatformSwitches& platform)
+Pass::Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats,
+           const reprisec::Pack& from, const PlatformSwitches& platform)
     : Pass(variant, stage, std::move(outputFormats), spirvOf(from, variant, stage, platform)) {}
 
-Pass::Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats, std::span<const uint32_t> spirv)
+Pass::Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats,
+           std::span<const uint32_t> spirv)
     : variant_(variant), outputNames_(outputNames(variant)),
       outputFormats_(outputFormats.empty() ? tableFormats(variant) : std::move(outputFormats)),
       runner_(gpu(), variant, stage, spirv, fullscreenSpirv(), outputFormats_) {}
 
-std::vector<Pixels> Pass::run(std::span<const NamedPixels> inputs, std::span<const std::byte> parameters, int width,
-                              int height) {
+std::vector<Pixels> Pass::run(std::span<const NamedPixels> inputs, std::span<const std::byte> parameters,
+                              int width, int height) {
     std::vector<harness::Image> images;
     std::vector<std::string_view> names;
     for (const auto& input : variant_.pass->inputs) {
@@ -160,7 +169,8 @@ std::vector<Pixels> Pass::run(std::span<const NamedPixels> inputs, std::span<con
         names.push_back(outputNames_[i]);
     }
     std::vector<harness::PassRunner::Binding> bindings;
-    for (size_t i = 0; i < images.size(); ++i) bindings.push_back({names[i], &images[i]});
+    for (size_t i = 0; i < images.size(); ++i)
+        bindings.push_back({names[i], &images[i]});
     gpu().run([&](VkCommandBuffer commands) { runner_.record(commands, bindings, parameters); });
     std::vector<Pixels> results;
     for (size_t i = firstOutput; i < images.size(); ++i) {
@@ -172,7 +182,8 @@ std::vector<Pixels> Pass::run(std::span<const NamedPixels> inputs, std::span<con
 
 void PassTest::TearDown() {
     std::string text;
-    for (const std::string& message : gpu().takeValidationMessages()) text += message + "\n";
+    for (const std::string& message : gpu().takeValidationMessages())
+        text += message + "\n";
     EXPECT_EQ(text, "") << "the validation layer spoke";
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests of passes share: a device with validation, the pack, and a pass as a call from images to images.
+// What the tests of passes share: a device with validation, the pack, and a pass as a call from images to
+// images.
 #pragma once
 
 #include "harness.hpp"
@@ -54,18 +55,19 @@ class Pass {
 public:
     Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats = {},
          const reprisec::Pack& from = pack(), const PlatformSwitches& platform = {});
-    Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats, std::span<const uint32_t> spirv);
+    Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats,
+         std::span<const uint32_t> spirv);
 
     const Variant& variant() const { return variant_; }
-    // The outputs of the variant in table order. Inputs that the variant has not are passed over. Before the run
-    // each output holds NaN, which a pixel that is not written keeps.
+    // The outputs of the variant in table order. Inputs that the variant has not are passed over. Before the
+    // run each output holds NaN, which a pixel that is not written keeps.
     template <class Parameters>
-    std::vector<Pixels> operator()(std::span<const NamedPixels> inputs, const Parameters& parameters, int width,
-                                   int height) {
+    std::vector<Pixels> operator()(std::span<const NamedPixels> inputs, const Parameters& parameters,
+                                   int width, int height) {
         return run(inputs, std::as_bytes(std::span(&parameters, 1)), width, height);
     }
-    std::vector<Pixels> run(std::span<const NamedPixels> inputs, std::span<const std::byte> parameters, int width,
-                            int height);
+    std::vector<Pixels> run(std::span<const NamedPixels> inputs, std::span<const std::byte> parameters,
+                            int width, int height);
 
 private:
     Variant variant_;
@@ -89,7 +91,7 @@ std::string describe(const Variant& variant, Stage stage, int width, int height)
 
 // A reproducible stream of numbers: splitmix64 of seed and place.
 uint64_t hashOf(uint64_t seed, uint64_t a, uint64_t b = 0, uint64_t c = 0);
-double unitHash(uint64_t seed, uint64_t a, uint64_t b = 0, uint64_t c = 0);   // [0, 1)
+double unitHash(uint64_t seed, uint64_t a, uint64_t b = 0, uint64_t c = 0); // [0, 1)
 
 inline constexpr VkFormat rgba16f = VK_FORMAT_R16G16B16A16_SFLOAT, rgba32f = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat rg16f = VK_FORMAT_R16G16_SFLOAT, rg32f = VK_FORMAT_R32G32_SFLOAT;

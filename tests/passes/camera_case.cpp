@@ -9,7 +9,8 @@ namespace passes {
 namespace {
 
 void store(const glm::dvec4& value, float (&target)[4]) {
-    for (int i = 0; i < 4; ++i) target[i] = static_cast<float>(value[i]);
+    for (int i = 0; i < 4; ++i)
+        target[i] = static_cast<float>(value[i]);
 }
 
 reprise::CameraFrame runtimeCamera(const oracle::Camera& camera) {
@@ -48,7 +49,8 @@ glm::dvec2 boundOf(const CameraCase& frame, int x, int y) {
     const double w = std::abs(product.clip.w);
     if (w <= error.w) return glm::dvec2(std::numeric_limits<double>::infinity());
     const glm::dvec2 ndc = glm::abs(glm::dvec2(product.clip) / w);
-    return 0.5 * (glm::dvec2(error) + ndc * error.w) / (w - error.w) + 0x1p-22 * glm::max(ndc, glm::dvec2(1.0));
+    return 0.5 * (glm::dvec2(error) + ndc * error.w) / (w - error.w) +
+           0x1p-22 * glm::max(ndc, glm::dvec2(1.0));
 }
 
 } // namespace
@@ -97,8 +99,8 @@ glm::dmat4 viewOf(glm::dvec3 eye, glm::dvec3 yawPitchRoll) {
 void setParameters(CameraCase& frame) {
     const oracle::CameraVelocity& pass = frame.pass;
     const reprise::CameraFrame current = runtimeCamera(pass.current), previous = runtimeCamera(pass.previous);
-    frame.toPreviousClip =
-        pass.depthLinear ? reprise::viewToPreviousClip(current, previous) : reprise::reprojection(current, previous);
+    frame.toPreviousClip = pass.depthLinear ? reprise::viewToPreviousClip(current, previous)
+                                            : reprise::reprojection(current, previous);
     for (int i = 0; i < 16; ++i)
         frame.parameters.gReprojection[i] = static_cast<float>(frame.toPreviousClip[i / 4][i % 4]);
     glm::dvec4 ray = reprise::viewRay(pass.current.viewToClip);
@@ -124,8 +126,8 @@ CameraCase randomCameraCase(const CameraKind& kind, bool depthLinear, int width,
         const double linear = linearRandomDepth(kind, seed, x, y);
         const bool infinite = std::isinf(linear);
         if (depthLinear) return Texel{infinite ? 1e6f : static_cast<float>(linear)};
-        return Texel{infinite ? 0.0f
-                              : static_cast<float>(oracle::deviceDepth(linear, frame.pass.current.viewToClip))};
+        return Texel{
+            infinite ? 0.0f : static_cast<float>(oracle::deviceDepth(linear, frame.pass.current.viewToClip))};
     });
     setParameters(frame);
     return frame;

@@ -15,7 +15,9 @@ enum class Projection { perspective, orthographic };
 struct CameraKind {
     Depth depth = Depth::standard;
     Projection projection = Projection::perspective;
-    bool exists() const { return !(depth == Depth::reversedInfinite && projection == Projection::orthographic); }
+    bool exists() const {
+        return !(depth == Depth::reversedInfinite && projection == Projection::orthographic);
+    }
 };
 std::string text(const CameraKind& kind);
 constexpr double nearPlane = 0.25, farPlane = 60.0;
@@ -26,10 +28,10 @@ glm::dmat4 projectionOf(const CameraKind& kind, double aspect, double zoom = 1.0
 glm::dmat4 viewOf(glm::dvec3 eye, glm::dvec3 yawPitchRoll);
 
 struct CameraCase {
-    oracle::CameraVelocity pass;      // what the oracle takes
-    Pixels depth;                     // device depth, or metres
+    oracle::CameraVelocity pass; // what the oracle takes
+    Pixels depth;                // device depth, or metres
     reprise::CameraVelocityParameters parameters{};
-    glm::dmat4 toPreviousClip{1.0};   // in double precision what gReprojection is in float32
+    glm::dmat4 toPreviousClip{1.0}; // in double precision what gReprojection is in float32
 
     int width() const { return depth.width; }
     int height() const { return depth.height; }
@@ -37,8 +39,8 @@ struct CameraCase {
 
 // Sets the parameters from `pass`, by the runtime's own functions.
 void setParameters(CameraCase& frame);
-// Random surfaces between the planes, some at the far plane; the previous camera stood elsewhere, was turned and
-// had another zoom. With `behind`, it looked the other way and many surfaces are behind it.
+// Random surfaces between the planes, some at the far plane; the previous camera stood elsewhere, was turned
+// and had another zoom. With `behind`, it looked the other way and many surfaces are behind it.
 CameraCase randomCameraCase(const CameraKind& kind, bool depthLinear, int width, int height, uint64_t seed,
                             bool behind = false);
 std::vector<Pixels> run(Pass& pass, const CameraCase& frame);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // camera_velocity executed and held to the oracle.
 //
-// Bounds: the store to the output's format, and float32 roundings of the matrix product and the division, relative
-// to the terms that are summed (boundOf in camera_case.cpp).
+// Bounds: the store to the output's format, and float32 roundings of the matrix product and the division,
+// relative to the terms that are summed (boundOf in camera_case.cpp).
 #include "camera_case.hpp"
 
 #include <cmath>
@@ -36,8 +36,8 @@ TEST_P(CameraVelocity, equalsTheOracleAtEverySize) {
                 for (const auto& [width, height] : {std::pair(1, 1), {2, 2}, {7, 5}, {64, 64}, {641, 359}}) {
                     const CameraCase frame = randomCameraCase(kind, depthLinear, width, height, 21);
                     const Comparison result = compareWithOracle(frame, run(pass, frame)[0]);
-                    EXPECT_TRUE(result.holds())
-                        << describe(variant, GetParam(), width, height) << ", " << text(kind) << ": " << text(result);
+                    EXPECT_TRUE(result.holds()) << describe(variant, GetParam(), width, height) << ", "
+                                                << text(kind) << ": " << text(result);
                 }
             }
         }
@@ -54,8 +54,9 @@ TEST_P(CameraVelocity, surfacesBehindThePreviousCameraLeaveTheImage) {
         const Comparison result = compareWithOracle(frame, velocity);
         EXPECT_TRUE(result.holds()) << describe(variant, GetParam(), 64, 64) << ": " << text(result);
         int outside = 0;
-        for (int i = 0; i < 64 * 64; ++i) outside += velocity.at(i % 64, i / 64, 0) > 4.0f;
-        EXPECT_GT(outside, 400);   // a third of the view is behind the other camera
+        for (int i = 0; i < 64 * 64; ++i)
+            outside += velocity.at(i % 64, i / 64, 0) > 4.0f;
+        EXPECT_GT(outside, 400); // a third of the view is behind the other camera
     }
 }
 
@@ -73,8 +74,10 @@ TEST_P(CameraVelocity, brokenDepthReachesItsOwnPixelAlone) {
             for (int i = 0; i < 16 * 16; ++i) {
                 const int x = i % 16, y = i / 16;
                 for (int c = 0; c < 2; ++c) {
-                    if (x == 6 && y == 9) EXPECT_TRUE(std::isfinite(got.at(x, y, c))) << value;
-                    else EXPECT_EQ(got.at(x, y, c), expected.at(x, y, c)) << value << " at " << x << ", " << y;
+                    if (x == 6 && y == 9)
+                        EXPECT_TRUE(std::isfinite(got.at(x, y, c))) << value;
+                    else
+                        EXPECT_EQ(got.at(x, y, c), expected.at(x, y, c)) << value << " at " << x << ", " << y;
                 }
             }
         }

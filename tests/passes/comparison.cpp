@@ -25,8 +25,8 @@ std::string texelText(const Pixels& got, int x, int y, const Expected& expected,
     stream.precision(9);
     stream << "pixel (" << x << ", " << y << ")";
     for (int c = 0; c < channels; ++c)
-        stream << " | channel " << c << " is " << got.at(x, y, c) << ", expected " << expected.value[c] << " +- "
-               << expected.bound[c] + storeError(got.format, expected.value[c]);
+        stream << " | channel " << c << " is " << got.at(x, y, c) << ", expected " << expected.value[c]
+               << " +- " << expected.bound[c] + storeError(got.format, expected.value[c]);
     return stream.str();
 }
 

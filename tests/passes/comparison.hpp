@@ -11,14 +11,14 @@ struct Expected {
     glm::dvec3 bound{0.0};
 };
 
-// Expected value of a pixel, first with the bound that is cheap to have; where it does not suffice, with the one
-// that is worth its time.
+// Expected value of a pixel, first with the bound that is cheap to have; where it does not suffice, with the
+// one that is worth its time.
 using ExpectedAt = std::function<Expected(int x, int y, bool careful)>;
 
 struct Comparison {
     size_t pixels = 0, outside = 0;
-    double largestExcess = 0.0;   // |got - expected| / bound of the worst pixel
-    std::string worst;            // that pixel in words
+    double largestExcess = 0.0; // |got - expected| / bound of the worst pixel
+    std::string worst;          // that pixel in words
 
     bool holds() const { return pixels > 0 && outside == 0; }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Depth kinds x projections x direction of y x jittered or not x sign and scale of motion: camera_velocity finds the
-// motion that ray casting finds, and temporal_aa fetches history from where the surface was.
+// Depth kinds x projections x direction of y x jittered or not x sign and scale of motion: camera_velocity
+// finds the motion that ray casting finds, and temporal_aa fetches history from where the surface was.
 #include "planes.hpp"
 #include "temporal_aa_case.hpp"
 
@@ -13,8 +13,9 @@ constexpr int width = 64, height = 48;
 const glm::dvec2 extent(width, height);
 constexpr double aspect = static_cast<double>(width) / height;
 
-// A float32 depth of a standard projection resolves 2^-24 z^2 / near metres at depth z: 1e-4 m at the 20 m of the
-// background, whose parallax changes by less than 1/4 px per metre. The rest is roundings of the matrix product.
+// A float32 depth of a standard projection resolves 2^-24 z^2 / near metres at depth z: 1e-4 m at the 20 m of
+// the background, whose parallax changes by less than 1/4 px per metre. The rest is roundings of the matrix
+// product.
 constexpr double motionBoundPx = 1.0 / 512.0;
 
 constexpr CameraKind kinds[] = {{Depth::standard, Projection::perspective},
@@ -41,7 +42,7 @@ PlatformSwitches platformOf(const Setting& setting) {
 struct Truth {
     PlanesView current, previous;
     std::vector<Hit> hits;
-    std::vector<glm::dvec2> motion;   // UV
+    std::vector<glm::dvec2> motion; // UV
 
     explicit Truth(const Setting& setting)
         : current(currentView(setting.kind, aspect)), previous(previousView(setting.kind, aspect)) {
@@ -60,8 +61,8 @@ struct Truth {
 
 CameraCase caseOf(const Setting& setting, const Truth& truth, bool depthLinear) {
     CameraCase frame;
-    frame.pass = {truth.current.camera, truth.previous.camera, truth.current.jitterPx, extent, depthLinear,
-                  setting.sharesY};
+    frame.pass = {truth.current.camera, truth.previous.camera, truth.current.jitterPx, extent,
+                  depthLinear,          setting.sharesY};
     frame.depth = makePixels(r32f, width, height, [&](int x, int y) {
         const double linear = truth.hits[truth.index(x, y)].linearDepth;
         const double device = oracle::deviceDepth(linear, truth.current.camera.viewToClip);
@@ -73,19 +74,20 @@ CameraCase caseOf(const Setting& setting, const Truth& truth, bool depthLinear) 
 
 Pass velocityPass(const Setting& setting, Stage stage, bool depthLinear, VkFormat format) {
     const bool orthographic = setting.kind.projection == Projection::orthographic;
-    const Variant variant = variantOf(pack(), "camera_velocity",
-                                      {{"DEPTH_LINEAR", depthLinear ? "on" : "off"},
-                                       {"ORTHOGRAPHIC", orthographic ? "on" : "off"}});
+    const Variant variant = variantOf(
+        pack(), "camera_velocity",
+        {{"DEPTH_LINEAR", depthLinear ? "on" : "off"}, {"ORTHOGRAPHIC", orthographic ? "on" : "off"}});
     return Pass(variant, stage, {format}, pack(), platformOf(setting));
 }
 
 Pass historyPass(const Setting& setting, Stage stage, bool closest) {
-    const Variant variant = variantOf(pack(), "temporal_aa",
-                                      {{"CONSTRAINT", "none"},
-                                       {"UNJITTER", "off"},
-                                       {"MOTION_BLUR_FALLBACK", "off"},
-                                       {"CLOSEST_FRAGMENT", closest ? "on" : "off"},
-                                       {"DEPTH_REVERSED", setting.kind.depth == Depth::standard ? "off" : "on"}});
+    const Variant variant =
+        variantOf(pack(), "temporal_aa",
+                  {{"CONSTRAINT", "none"},
+                   {"UNJITTER", "off"},
+                   {"MOTION_BLUR_FALLBACK", "off"},
+                   {"CLOSEST_FRAGMENT", closest ? "on" : "off"},
+                   {"DEPTH_REVERSED", setting.kind.depth == Depth::standard ? "off" : "on"}});
     return Pass(variant, stage, {rgba32f}, pack(), platformOf(setting));
 }
 
@@ -93,7 +95,8 @@ std::vector<Setting> settings() {
     std::vector<Setting> all;
     for (const CameraKind& kind : kinds)
         for (const bool sharesY : {false, true})
-            for (const bool jittered : {false, true}) all.push_back({kind, sharesY, jittered});
+            for (const bool jittered : {false, true})
+                all.push_back({kind, sharesY, jittered});
     return all;
 }
 
@@ -103,14 +106,15 @@ INSTANTIATE_TEST_SUITE_P(Stages, ConventionMatrix, testing::Values(Stage::fragme
 
 double largestMotionPx(const Truth& truth) {
     double largest = 0.0;
-    for (const glm::dvec2 motion : truth.motion) largest = std::max(largest, glm::length(motion * extent));
+    for (const glm::dvec2 motion : truth.motion)
+        largest = std::max(largest, glm::length(motion * extent));
     return largest;
 }
 
 TEST_P(ConventionMatrix, motionIsThatOfRayCasting) {
     for (const Setting& setting : settings()) {
         const Truth truth(setting);
-        EXPECT_GT(largestMotionPx(truth), 3.0);   // else the signs would hardly matter
+        EXPECT_GT(largestMotionPx(truth), 3.0); // else the signs would hardly matter
         for (const bool depthLinear : {false, true}) {
             for (const VkFormat format : {rg32f, rg16f}) {
                 const CameraCase frame = caseOf(setting, truth, depthLinear);
@@ -118,7 +122,8 @@ TEST_P(ConventionMatrix, motionIsThatOfRayCasting) {
                 const Comparison result = compare(
                     run(pass, frame)[0],
                     [&](int x, int y, bool) {
-                        return Expected{{truth.motion[truth.index(x, y)], 0.0}, {motionBoundPx / extent, 0.0}};
+                        return Expected{{truth.motion[truth.index(x, y)], 0.0},
+                                        {motionBoundPx / extent, 0.0}};
                     },
                     2);
                 EXPECT_TRUE(result.holds()) << stageText(GetParam()) << ", " << text(setting)
@@ -134,16 +139,19 @@ constexpr float historyWeight = 1.0f - 0x1p-6f;
 
 struct MotionForm {
     std::string_view name;
-    float toUv[2];   // gMotionToUv: what the stored motion is multiplied by
+    float toUv[2]; // gMotionToUv: what the stored motion is multiplied by
 };
-constexpr MotionForm forms[] = {
-    {"curr - prev", {1.0f, 1.0f}}, {"prev - curr", {-1.0f, -1.0f}}, {"NDC", {0.5f, -0.5f}}, {"-NDC", {-0.5f, 0.5f}}};
+constexpr MotionForm forms[] = {{"curr - prev", {1.0f, 1.0f}},
+                                {"prev - curr", {-1.0f, -1.0f}},
+                                {"NDC", {0.5f, -0.5f}},
+                                {"-NDC", {-0.5f, 0.5f}}};
 
 TemporalAaFrame frameOf(const CameraCase& camera, const Pixels& velocity, const MotionForm& form) {
     TemporalAaFrame frame;
     frame.depth = camera.depth;
     frame.velocity = velocity;
-    for (size_t i = 0; i < velocity.values.size(); ++i) frame.velocity.values[i] /= form.toUv[i % 2];
+    for (size_t i = 0; i < velocity.values.size(); ++i)
+        frame.velocity.values[i] /= form.toUv[i % 2];
     frame.colour = makePixels(rgba16f, width, height, [](int x, int y) {
         return Texel{(x + y) % 2 == 0 ? 1.0f : 0.0f, 0.5f, 0.0f, 1.0f};
     });
@@ -172,20 +180,23 @@ double distanceToEdgePx(glm::dvec2 uv) {
 }
 
 // History of black and white noise: a fetch that is off by a tenth of a texel differs by up to a tenth.
-Expected expectedOf(const Truth& truth, const TemporalAaFrame& frame, const oracle::Image& history, int x, int y) {
+Expected expectedOf(const Truth& truth, const TemporalAaFrame& frame, const oracle::Image& history, int x,
+                    int y) {
     const glm::dvec2 uv = glm::dvec2(x + 0.5, y + 0.5) / extent - closestMotion(truth, x, y);
     glm::dvec3 colour(frame.colour.at(x, y, 0), frame.colour.at(x, y, 1), frame.colour.at(x, y, 2));
     const double edge = distanceToEdgePx(uv);
-    if (std::abs(edge) < 2.0 * motionBoundPx) return {colour, glm::dvec3(1.0)};   // in or out, either is right
-    if (edge > 0.0) colour = glm::mix(colour, glm::dvec3(oracle::sampleLinear(history, uv)), double{historyWeight});
-    return {colour, glm::dvec3(2.0 * motionBoundPx)};   // in x and in y
+    if (std::abs(edge) < 2.0 * motionBoundPx) return {colour, glm::dvec3(1.0)}; // in or out, either is right
+    if (edge > 0.0)
+        colour = glm::mix(colour, glm::dvec3(oracle::sampleLinear(history, uv)), double{historyWeight});
+    return {colour, glm::dvec3(2.0 * motionBoundPx)}; // in x and in y
 }
 
 TEST_P(ConventionMatrix, historyIsFetchedWhereTheClosestSurfaceWas) {
     const Pixels noise = makePixels(rgba16f, width, height, [](int x, int y) {
         Texel texel{};
         for (size_t c = 0; c < 3; ++c)
-            texel[c] = unitHash(41, static_cast<uint64_t>(x), static_cast<uint64_t>(y), c) < 0.5 ? 0.0f : 1.0f;
+            texel[c] =
+                unitHash(41, static_cast<uint64_t>(x), static_cast<uint64_t>(y), c) < 0.5 ? 0.0f : 1.0f;
         return texel;
     });
     const oracle::Image history = oracleImage(noise);
@@ -201,8 +212,8 @@ TEST_P(ConventionMatrix, historyIsFetchedWhereTheClosestSurfaceWas) {
             const Comparison result = compare(
                 run(pass, frame)[0],
                 [&](int x, int y, bool) { return expectedOf(truth, frame, history, x, y); }, 3);
-            EXPECT_TRUE(result.holds()) << stageText(GetParam()) << ", " << text(setting) << ", motion " << form.name
-                                        << ": " << text(result);
+            EXPECT_TRUE(result.holds()) << stageText(GetParam()) << ", " << text(setting) << ", motion "
+                                        << form.name << ": " << text(result);
         }
     }
 }
@@ -212,10 +223,11 @@ glm::dvec3 paint(glm::dvec3 world) {
     return 0.5 + 0.5 * glm::sin(world * glm::dvec3(0.22, 0.27, 0.18));
 }
 
-// The loop closed without any motion of the test's own: history is the previous camera's rendering, and what comes
-// back is the paint of the surface at the unjittered pixel centre. A jittered pixel shows its surface up to half a
-// pixel away, whose motion differs by the perspective there; with the curvature that linear filtering does not
-// follow it stays below 1/100. A wrong sign or scale is off by several pixels: by 1/15 and more.
+// The loop closed without any motion of the test's own: history is the previous camera's rendering, and what
+// comes back is the paint of the surface at the unjittered pixel centre. A jittered pixel shows its surface
+// up to half a pixel away, whose motion differs by the perspective there; with the curvature that linear
+// filtering does not follow it stays below 1/100. A wrong sign or scale is off by several pixels: by 1/15 and
+// more.
 TEST_P(ConventionMatrix, reprojectedHistoryShowsTheSameSurface) {
     for (const Setting& setting : settings()) {
         const Truth truth(setting);
@@ -224,8 +236,10 @@ TEST_P(ConventionMatrix, reprojectedHistoryShowsTheSameSurface) {
         Pass pass = historyPass(setting, GetParam(), false);
         TemporalAaFrame frame = frameOf(camera, run(velocity, camera)[0], forms[0]);
         frame.history = makePixels(rgba16f, width, height, [&](int x, int y) {
-            const glm::dvec3 colour = paint(castRay(truth.previous, glm::dvec2(x + 0.5, y + 0.5), extent).world);
-            return Texel{static_cast<float>(colour.r), static_cast<float>(colour.g), static_cast<float>(colour.b)};
+            const glm::dvec3 colour =
+                paint(castRay(truth.previous, glm::dvec2(x + 0.5, y + 0.5), extent).world);
+            return Texel{static_cast<float>(colour.r), static_cast<float>(colour.g),
+                         static_cast<float>(colour.b)};
         });
         PlanesView centred = truth.current;
         centred.jitterPx = {0.0, 0.0};
@@ -239,11 +253,13 @@ TEST_P(ConventionMatrix, reprojectedHistoryShowsTheSameSurface) {
                 const glm::dvec2 place = before + glm::dvec2(i % 3 - 1, i / 3 - 1) * 1.5;
                 const Hit other = castRay(truth.previous, place, extent);
                 visible = visible && other.surface == hit.surface;
-                visible = visible && truth.hits[truth.index(x + i % 3 - 1, y + i / 3 - 1)].surface == hit.surface;
+                visible =
+                    visible && truth.hits[truth.index(x + i % 3 - 1, y + i / 3 - 1)].surface == hit.surface;
             }
             if (!visible) return Expected{glm::dvec3(0.0), glm::dvec3(1e9)};
             ++seen;
-            const glm::dvec3 current(frame.colour.at(x, y, 0), frame.colour.at(x, y, 1), frame.colour.at(x, y, 2));
+            const glm::dvec3 current(frame.colour.at(x, y, 0), frame.colour.at(x, y, 1),
+                                     frame.colour.at(x, y, 2));
             return Expected{glm::mix(current, paint(hit.world), double{historyWeight}), glm::dvec3(0.01)};
         };
         const Comparison result = compare(run(pass, frame)[0], expectedAt, 3);

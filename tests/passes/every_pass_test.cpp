@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every pass of the table has a check that executes it, in every stage that it has. A pass without one does not
-// compile; a check that compares nothing does not pass.
+// Every pass of the table has a check that executes it, in every stage that it has. A pass without one does
+// not compile; a check that compares nothing does not pass.
 #include "camera_case.hpp"
 #include "fullscreen_case.hpp"
 #include "object_case.hpp"
@@ -58,14 +58,16 @@ constexpr bool everyPassHasACheck() {
         if (checkOf(pass.name) == nullptr) return false;
     return true;
 }
-static_assert(everyPassHasACheck(), "A pass of generated/include/reprise/pack_table.hpp has no line in `checks`.");
+static_assert(everyPassHasACheck(),
+              "A pass of generated/include/reprise/pack_table.hpp has no line in `checks`.");
 
 class EveryPass : public PassTest {};
 
 TEST_F(EveryPass, isExecutedInEachOfItsStages) {
     for (const auto& pass : pack().passes()) {
         const PassCheck* check = checkOf(pass.name);
-        ASSERT_NE(check, nullptr) << pass.name << " is in pack.toml and has no line in `checks`; run reprisec too";
+        ASSERT_NE(check, nullptr) << pass.name
+                                  << " is in pack.toml and has no line in `checks`; run reprisec too";
         EXPECT_FALSE(pass.stages.empty()) << pass.name;
         for (const Stage stage : pass.stages) {
             const Comparison result = check->run(stage);
@@ -76,8 +78,22 @@ TEST_F(EveryPass, isExecutedInEachOfItsStages) {
 
 TEST_F(EveryPass, ofTheChecksIsInTheTable) {
     for (const PassCheck& check : checks)
-        EXPECT_TRUE(std::ranges::any_of(pack().passes(), [&](const auto& pass) { return pass.name == check.pass; }))
-            << check.pass;
+        EXPECT_TRUE(std::ranges::any_of(pack().passes(), [&](const auto& pass) {
+            return pass.name == check.pass;
+        })) << check.pass;
+}
+
+// A control: silence means something only if the layer, with synchronization validation, would have spoken.
+TEST_F(EveryPass, isWatchedByTheValidationLayer) {
+    const harness::Buffer buffer = gpu().buffer(256, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    gpu().run([&](VkCommandBuffer commands) {
+        vkCmdFillBuffer(commands, buffer.buffer, 0, 256, 1);
+        vkCmdFillBuffer(commands, buffer.buffer, 0, 256, 2); // no barrier between two writes
+    });
+    std::string messages;
+    for (const std::string& message : gpu().takeValidationMessages())
+        messages += message;
+    EXPECT_NE(messages.find("SYNC-HAZARD-WRITE-AFTER-WRITE"), std::string::npos) << messages;
 }
 
 } // namespace

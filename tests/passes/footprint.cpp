@@ -22,7 +22,8 @@ glm::dvec2 motionAt(const Variant& variant, const TemporalAaFrame& frame, glm::i
     glm::ivec2 from = pixel;
     if (reprise::switchValue(variant, "CLOSEST_FRAGMENT") == "on") {
         const bool reversed = reprise::switchValue(variant, "DEPTH_REVERSED") == "on";
-        from += oracle::closestFragment(oracle::depthSquareAt(oracleImage(frame.depth), pixel.x, pixel.y), reversed);
+        from += oracle::closestFragment(oracle::depthSquareAt(oracleImage(frame.depth), pixel.x, pixel.y),
+                                        reversed);
         from = glm::clamp(from, glm::ivec2(0), glm::ivec2(frame.width() - 1, frame.height() - 1));
     }
     return {frame.velocity.at(from.x, from.y, 0), frame.velocity.at(from.x, from.y, 1)};
@@ -33,8 +34,8 @@ glm::ivec2 firstTexel(glm::dvec2 px) {
     return glm::ivec2(glm::floor(glm::clamp(px, -1e6, 1e6) - 0.5));
 }
 
-// The filter multiplies a texel of weight 0 too, and rounding may put a read at a texel's centre on either side
-// of it: so one texel to each side more than the weights say.
+// The filter multiplies a texel of weight 0 too, and rounding may put a read at a texel's centre on either
+// side of it: so one texel to each side more than the weights say.
 bool inLinearRead(const TemporalAaFrame& frame, glm::ivec2 texel, glm::dvec2 px, int reach) {
     const glm::ivec2 last(frame.width() - 1, frame.height() - 1);
     const glm::ivec2 first = firstTexel(px);
@@ -53,7 +54,8 @@ bool inBlur(const Variant& variant, const TemporalAaFrame& frame, glm::ivec2 tex
     const glm::dvec2 motionPx = motionAt(variant, frame, pixel) * glm::dvec2(frame.width(), frame.height());
     const glm::dvec2 jitter(frame.parameters.gJitterPx[0], frame.parameters.gJitterPx[1]);
     for (int tap = -3; tap <= 3; ++tap)
-        if (inLinearRead(frame, texel, glm::dvec2(pixel) + 0.5 + jitter + motionPx * (tap / 12.0), 1)) return true;
+        if (inLinearRead(frame, texel, glm::dvec2(pixel) + 0.5 + jitter + motionPx * (tap / 12.0), 1))
+            return true;
     return false;
 }
 

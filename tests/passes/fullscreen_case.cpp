@@ -41,7 +41,11 @@ Comparison comparePositions(int width, int height) {
     Pass pass({&positionPass(), {}}, Stage::fragment, {rg32f}, positionSpirv());
     const Pixels positions = pass.run({}, {}, width, height)[0];
     return compare(
-        positions, [](int x, int y, bool) { return Expected{{x + 0.5, y + 0.5, 0.0}, glm::dvec3(0.0)}; }, 2);
+        positions,
+        [](int x, int y, bool) {
+            return Expected{{x + 0.5, y + 0.5, 0.0}, glm::dvec3(0.0)};
+        },
+        2);
 }
 
 } // namespace passes

@@ -6,8 +6,8 @@
 
 namespace passes {
 
-// What each pixel wrote, from the fullscreen pass's vertex shader, against its centre. A pixel that the triangle
-// does not cover keeps its NaN.
+// What each pixel wrote, from the fullscreen pass's vertex shader, against its centre. A pixel that the
+// triangle does not cover keeps its NaN.
 Comparison comparePositions(int width, int height);
 
 } // namespace passes

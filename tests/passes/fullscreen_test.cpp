@@ -8,7 +8,8 @@ namespace {
 class Fullscreen : public PassTest {};
 
 TEST_F(Fullscreen, everyPixelIsCoveredAtItsCentre) {
-    for (const auto& [width, height] : {std::pair(1, 1), {2, 2}, {7, 5}, {64, 64}, {641, 359}, {1, 97}, {2048, 3}}) {
+    for (const auto& [width, height] :
+         {std::pair(1, 1), {2, 2}, {7, 5}, {64, 64}, {641, 359}, {1, 97}, {2048, 3}}) {
         const Comparison result = comparePositions(width, height);
         EXPECT_TRUE(result.holds()) << width << "x" << height << ": " << text(result);
     }

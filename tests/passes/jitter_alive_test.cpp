@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The jitter is alive: over a whole sequence the offsets seen in the rendered depth are the sequence's.
 //
-// Device depth of a plane is affine over the image, so that a plane tilted in x tells how far it moved in x, and one
-// tilted in y how far in y. Vertices are snapped to 1/256 px, so the planes reach far beyond the image.
+// Device depth of a plane is affine over the image, so that a plane tilted in x tells how far it moved in x,
+// and one tilted in y how far in y. Vertices are snapped to 1/256 px, so the planes reach far beyond the
+// image.
 #include "bench.hpp"
 #include "renderer.hpp"
 
@@ -13,8 +14,8 @@ constexpr int width = 96, height = 72;
 constexpr double tolerancePx = 1.0 / 64.0;
 
 struct TiltedPlane {
-    double slopeX, slopeY;   // of z, which is 8 m on the axis
-    double left, right;      // x of its ends
+    double slopeX, slopeY; // of z, which is 8 m on the axis
+    double left, right;    // x of its ends
 };
 constexpr TiltedPlane tiltedPlanes[] = {{0.5, 0.0, -10.0, 0.0}, {0.0, 0.4, 0.0, 15.0}};
 
@@ -22,8 +23,9 @@ scenes::Mesh meshOf(const TiltedPlane& plane) {
     scenes::Mesh mesh;
     for (const double y : {-12.0, 12.0})
         for (const double x : {plane.left, plane.right})
-            mesh.vertices.push_back(
-                {glm::vec3(x, y, 8.0 + plane.slopeX * x + plane.slopeY * y), {0.0f, 0.0f, -1.0f}, {0.0f, 0.0f}});
+            mesh.vertices.push_back({glm::vec3(x, y, 8.0 + plane.slopeX * x + plane.slopeY * y),
+                                     {0.0f, 0.0f, -1.0f},
+                                     {0.0f, 0.0f}});
     mesh.indices = {0, 1, 2, 2, 1, 3};
     return mesh;
 }
@@ -55,13 +57,14 @@ double depthAt(const TiltedPlane& plane, glm::dvec2 px, const glm::dmat4& viewTo
     return oracle::deviceDepth(z, viewToClip);
 }
 
-// The offset that explains the depths best: least squares of depth(px) = analytic(px - offset), which is linear.
+// The offset that explains the depths best: least squares of depth(px) = analytic(px - offset), which is
+// linear.
 glm::dvec2 offsetSeenIn(const std::vector<float>& depth, const glm::dmat4& viewToClip) {
     glm::dmat2 normal(0.0);
     glm::dvec2 right(0.0);
     for (int i = 0; i < width * height; ++i) {
         const int x = i % width;
-        if (x > width * 2 / 5 && x < width * 3 / 5) continue;   // near the seam of the planes
+        if (x > width * 2 / 5 && x < width * 3 / 5) continue; // near the seam of the planes
         const TiltedPlane& plane = tiltedPlanes[x < width / 2 ? 0 : 1];
         const glm::dvec2 px(x + 0.5, i / width + 0.5);
         const double still = depthAt(plane, px, viewToClip);
@@ -95,9 +98,9 @@ std::string firstDeparture(const std::vector<glm::dvec2>& offsets, const Sequenc
     for (size_t frame = 0; frame < offsets.size(); ++frame) {
         const glm::dvec2 difference = glm::abs(offsets[frame] - expected(frame));
         if (!(difference.x <= tolerancePx && difference.y <= tolerancePx))
-            return "frame " + std::to_string(frame) + " moved by (" + std::to_string(offsets[frame].x) + ", " +
-                   std::to_string(offsets[frame].y) + ") px instead of (" + std::to_string(expected(frame).x) + ", " +
-                   std::to_string(expected(frame).y) + ")";
+            return "frame " + std::to_string(frame) + " moved by (" + std::to_string(offsets[frame].x) +
+                   ", " + std::to_string(offsets[frame].y) + ") px instead of (" +
+                   std::to_string(expected(frame).x) + ", " + std::to_string(expected(frame).y) + ")";
     }
     return {};
 }
@@ -106,7 +109,8 @@ class JitterAlive : public PassTest, public testing::WithParamInterface<scenes::
 INSTANTIATE_TEST_SUITE_P(DepthKinds, JitterAlive,
                          testing::Values(scenes::DepthKind::standard, scenes::DepthKind::reversedInfinite),
                          [](const auto& each) {
-                             return each.param == scenes::DepthKind::standard ? "standard" : "reversedInfinite";
+                             return each.param == scenes::DepthKind::standard ? "standard"
+                                                                              : "reversedInfinite";
                          });
 
 glm::dvec2 halton16(uint64_t frame) {
@@ -117,7 +121,9 @@ TEST_P(JitterAlive, renderedDepthMovesAlongTheSequence) {
     const auto sequenceOf = [](reprise::JitterSequence sequence) {
         return [sequence](uint64_t frame) { return reprise::jitterPx(sequence, frame); };
     };
-    EXPECT_EQ(firstDeparture(offsetsOf(sequenceOf(reprise::JitterSequence::halton16), 16, GetParam()), halton16), "");
+    EXPECT_EQ(
+        firstDeparture(offsetsOf(sequenceOf(reprise::JitterSequence::halton16), 16, GetParam()), halton16),
+        "");
     EXPECT_EQ(firstDeparture(offsetsOf(sequenceOf(reprise::JitterSequence::halton8), 16, GetParam()),
                              [](uint64_t frame) { return oracle::haltonJitterPx(frame, 8); }),
               "");

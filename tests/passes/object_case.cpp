@@ -13,7 +13,8 @@ using Triangle = std::array<glm::dvec3, 3>;
 const Triangle corners = {{{-1.9, -1.2, 3.1}, {2.3, -0.7, 4.2}, {0.2, 2.4, 5.9}}};
 // Two joints a corner take part, so that weights, indices and both palettes matter.
 constexpr uint8_t joints[3][4] = {{0, 1, 2, 3}, {3, 0, 1, 2}, {2, 2, 1, 0}};
-constexpr float weights[3][4] = {{0.5f, 0.25f, 0.125f, 0.125f}, {0.75f, 0.25f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.25f, 0.25f}};
+constexpr float weights[3][4] = {
+    {0.5f, 0.25f, 0.125f, 0.125f}, {0.75f, 0.25f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.25f, 0.25f}};
 
 oracle::Camera cameraOf(const ObjectCase& object, bool previous) {
     const double aspect = static_cast<double>(object.width) / object.height;
@@ -72,9 +73,12 @@ void addSkin(DrawBuffers& buffers) {
         palette.push_back(placement(joint, false));
         prevPalette.push_back(placement(joint, true));
     }
-    buffers.draw.joints = buffers.add(std::span<const uint8_t>(&joints[0][0], 12), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-    buffers.draw.weights = buffers.add(std::span<const float>(&weights[0][0], 12), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-    buffers.draw.palette = buffers.add(std::span<const glm::mat4>(palette), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    buffers.draw.joints =
+        buffers.add(std::span<const uint8_t>(&joints[0][0], 12), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    buffers.draw.weights =
+        buffers.add(std::span<const float>(&weights[0][0], 12), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    buffers.draw.palette =
+        buffers.add(std::span<const glm::mat4>(palette), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     buffers.draw.prevPalette =
         buffers.add(std::span<const glm::mat4>(prevPalette), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
@@ -83,12 +87,15 @@ DrawBuffers makeDraw(const ObjectCase& object) {
     DrawBuffers buffers;
     std::vector<float> positions;
     for (const glm::dvec3& corner : corners)
-        for (int axis = 0; axis < 3; ++axis) positions.push_back(static_cast<float>(corner[axis]));
+        for (int axis = 0; axis < 3; ++axis)
+            positions.push_back(static_cast<float>(corner[axis]));
     constexpr uint32_t indices[] = {0, 1, 2};
-    buffers.draw.positions = buffers.add(std::span<const float>(positions), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+    buffers.draw.positions =
+        buffers.add(std::span<const float>(positions), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
     buffers.draw.indices = buffers.add(std::span<const uint32_t>(indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     buffers.draw.indexCount = 3;
-    if (object.skinned) addSkin(buffers);
+    if (object.skinned)
+        addSkin(buffers);
     else {
         buffers.draw.objectToWorld = placement(0, false);
         buffers.draw.prevObjectToWorld = placement(0, true);
@@ -106,7 +113,8 @@ float backgroundDepth(const ObjectCase& object, int x) {
 harness::Image depthImage(const ObjectCase& object, VkFormat format) {
     const Pixels depth = makePixels(format, object.width, object.height,
                                     [&](int x, int) { return Texel{backgroundDepth(object, x)}; });
-    auto image = gpu().image(format, static_cast<uint32_t>(object.width), static_cast<uint32_t>(object.height));
+    auto image =
+        gpu().image(format, static_cast<uint32_t>(object.width), static_cast<uint32_t>(object.height));
     gpu().uploadFloats(image, depth.values);
     return image;
 }
@@ -137,8 +145,12 @@ reprise::FrameOutput recordFrame(reprise::FrameRecorder& recorder, const reprise
 
 // The camera's motion at a pixel, with the depth that the image holds.
 glm::dvec2 cameraMotion(const ObjectCase& object, int x, int y) {
-    const oracle::CameraVelocity camera{cameraOf(object, false), cameraOf(object, true), object.jitterPx,
-                                        glm::dvec2(object.width, object.height), false, false};
+    const oracle::CameraVelocity camera{cameraOf(object, false),
+                                        cameraOf(object, true),
+                                        object.jitterPx,
+                                        glm::dvec2(object.width, object.height),
+                                        false,
+                                        false};
     return oracle::cameraVelocity(camera, x, y, backgroundDepth(object, x));
 }
 
@@ -150,7 +162,8 @@ Pixels recordedMotion(const ObjectCase& object, const reprisec::Pack& from) {
     harness::Image depth = depthImage(object, r32f), depthTest = depthImage(object, VK_FORMAT_D32_SFLOAT);
     harness::Image colour =
         gpu().image(rgba16f, static_cast<uint32_t>(object.width), static_cast<uint32_t>(object.height));
-    gpu().uploadFloats(colour, std::vector<float>(static_cast<size_t>(object.width * object.height * 4), 0.5f));
+    gpu().uploadFloats(colour,
+                       std::vector<float>(static_cast<size_t>(object.width * object.height * 4), 0.5f));
     gpu().run([&](VkCommandBuffer commands) { gpu().use(commands, depthTest, harness::depthReadState); });
 
     reprise::FrameInput input;
@@ -172,8 +185,8 @@ Pixels recordedMotion(const ObjectCase& object, const reprisec::Pack& from) {
     return {motion.ref.format, object.width, object.height, 2, gpu().downloadFloats(motion)};
 }
 
-// Bound: half-float store, and 1/256 px of interpolation. Within 1/16 px of an edge, the snapping of vertices decides
-// which of the two motions is seen: either is right.
+// Bound: half-float store, and 1/256 px of interpolation. Within 1/16 px of an edge, the snapping of vertices
+// decides which of the two motions is seen: either is right.
 Comparison compareWithOracle(const ObjectCase& object, const Pixels& motion) {
     const oracle::MovingTriangle triangle = triangleOf(object);
     const glm::dvec2 extent(object.width, object.height);
@@ -183,9 +196,11 @@ Comparison compareWithOracle(const ObjectCase& object, const Pixels& motion) {
         [&](int x, int y, bool) {
             const glm::dvec2 px(x + 0.5, y + 0.5);
             const bool visible = x >= object.occludedColumns && oracle::covers(triangle, ndcAt(px));
-            glm::dvec2 expected = visible ? oracle::objectVelocity(triangle, ndcAt(px)) : cameraMotion(object, x, y);
+            glm::dvec2 expected =
+                visible ? oracle::objectVelocity(triangle, ndcAt(px)) : cameraMotion(object, x, y);
             glm::dvec2 bound = glm::dvec2(1.0 / 256.0) / extent;
-            for (const glm::dvec2 side : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)})
+            for (const glm::dvec2 side :
+                 {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)})
                 if (oracle::covers(triangle, ndcAt(px + side / 16.0)) != oracle::covers(triangle, ndcAt(px)))
                     bound = glm::dvec2(1e9);
             return Expected{{expected, 0.0}, {bound, 0.0}};

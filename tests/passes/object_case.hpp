@@ -9,11 +9,11 @@ namespace passes {
 
 struct ObjectCase {
     bool skinned = false;
-    Stage stage = Stage::fragment;   // of the full-screen passes around it
+    Stage stage = Stage::fragment; // of the full-screen passes around it
     CameraKind kind{};
     glm::dvec2 jitterPx{0.28125, -0.34375};
     int width = 64, height = 48;
-    int occludedColumns = 0;         // of the left, where the scene's depth is nearer than the object
+    int occludedColumns = 0; // of the left, where the scene's depth is nearer than the object
 };
 
 // The recorder's motion image of the second of two frames. `from` is the pack that gives its modules.

@@ -18,8 +18,8 @@ constexpr CameraKind kinds[] = {{Depth::standard, Projection::perspective},
 void expectOracle(const ObjectCase& object) {
     const Comparison result = compareWithOracle(object, recordedMotion(object));
     EXPECT_TRUE(result.holds()) << (object.skinned ? "skinned, " : "rigid, ") << text(object.kind) << ", "
-                                << stageText(object.stage) << ", " << object.width << "x" << object.height << ": "
-                                << text(result);
+                                << stageText(object.stage) << ", " << object.width << "x" << object.height
+                                << ": " << text(result);
 }
 
 TEST_P(ObjectVelocity, equalsTheOracleForEveryCameraKind) {
@@ -34,7 +34,8 @@ TEST_P(ObjectVelocity, equalsTheOracleForEveryCameraKind) {
 TEST_P(ObjectVelocity, equalsTheOracleAtEverySize) {
     for (const Stage stage : {Stage::fragment, Stage::compute})
         for (const auto& [width, height] : {std::pair(1, 1), {2, 2}, {7, 5}, {64, 64}, {641, 359}})
-            expectOracle({.skinned = GetParam(), .stage = stage, .kind = {}, .width = width, .height = height});
+            expectOracle(
+                {.skinned = GetParam(), .stage = stage, .kind = {}, .width = width, .height = height});
 }
 
 TEST_P(ObjectVelocity, whatIsBehindTheSceneLeavesTheCamerasMotion) {

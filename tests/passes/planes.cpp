@@ -10,7 +10,7 @@ namespace {
 // Tilted in x and in y, so that no two pixels have the same depth.
 struct Plane {
     glm::dvec3 point, normal;
-    double halfSize;   // of a square around the point, in x and y of the world
+    double halfSize; // of a square around the point, in x and y of the world
 };
 const Plane planes[] = {
     {{0.0, 0.0, 18.0}, {0.17, 0.23, -1.0}, 1e9},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Broken texels: what a NaN, an infinity, a negative or an enormous value in one texel of an input reaches, and how
-// long it stays. Every output is finite whatever the inputs hold.
+// Broken texels: what a NaN, an infinity, a negative or an enormous value in one texel of an input reaches,
+// and how long it stays. Every output is finite whatever the inputs hold.
 #include "footprint.hpp"
 
 #include <cmath>
@@ -31,12 +31,14 @@ void widen(Pixels& pixels) {
 
 TemporalAaFrame wideFrame(uint64_t seed) {
     TemporalAaFrame frame = randomFrame(width, height, seed);
-    for (std::string_view name : inputs) widen(inputOf(frame, name));
+    for (std::string_view name : inputs)
+        widen(inputOf(frame, name));
     return frame;
 }
 
 void poisonTexel(Pixels& pixels, glm::ivec2 place, float value) {
-    for (int c = 0; c < pixels.channels; ++c) pixels.at(place.x, place.y, c) = value;
+    for (int c = 0; c < pixels.channels; ++c)
+        pixels.at(place.x, place.y, c) = value;
 }
 
 void poisonAll(Pixels& pixels, float value) {
@@ -53,9 +55,9 @@ std::string firstBroken(const std::vector<Pixels>& outputs) {
 }
 
 // The first pixel that differs from the clean run though the broken texel should not reach it.
-std::string firstBeyondFootprint(const Pass& pass, Stage stage, const TemporalAaFrame& clean, std::string_view input,
-                                 glm::ivec2 place, const std::vector<Pixels>& expected,
-                                 const std::vector<Pixels>& got) {
+std::string firstBeyondFootprint(const Pass& pass, Stage stage, const TemporalAaFrame& clean,
+                                 std::string_view input, glm::ivec2 place,
+                                 const std::vector<Pixels>& expected, const std::vector<Pixels>& got) {
     for (size_t output = 0; output < got.size(); ++output) {
         const Reached kind = output == 0 ? Reached::historyOutput : Reached::colourOutput;
         for (int y = 0; y < height; ++y)
@@ -90,10 +92,11 @@ TEST_P(Poison, oneTexelStaysWithinTheFootprint) {
                     TemporalAaFrame poisoned = clean;
                     poisonTexel(inputOf(poisoned, input), place, value);
                     const auto got = run(pass, poisoned);
-                    const std::string what = describe(variant, GetParam(), width, height) + ", " +
-                                             poisonText(input, value, place);
+                    const std::string what =
+                        describe(variant, GetParam(), width, height) + ", " + poisonText(input, value, place);
                     EXPECT_EQ(firstBroken(got), "") << what;
-                    EXPECT_EQ(firstBeyondFootprint(pass, GetParam(), clean, input, place, expected, got), "") << what;
+                    EXPECT_EQ(firstBeyondFootprint(pass, GetParam(), clean, input, place, expected, got), "")
+                        << what;
                     changed += got[0].values != expected[0].values;
                 }
             }
@@ -112,8 +115,8 @@ TEST_P(Poison, wholeImagesLeaveFiniteOutputs) {
                 TemporalAaFrame one = wideFrame(12);
                 poisonAll(inputOf(one, input), value);
                 poisonAll(inputOf(all, input), value);
-                EXPECT_EQ(firstBroken(run(pass, one)), "")
-                    << describe(variant, GetParam(), width, height) << ", all of " << input << " is " << value;
+                EXPECT_EQ(firstBroken(run(pass, one)), "") << describe(variant, GetParam(), width, height)
+                                                           << ", all of " << input << " is " << value;
             }
             EXPECT_EQ(firstBroken(run(pass, all)), "")
                 << describe(variant, GetParam(), width, height) << ", all of every input is " << value;
@@ -121,12 +124,12 @@ TEST_P(Poison, wholeImagesLeaveFiniteOutputs) {
     }
 }
 
-// Point reads see a broken texel exactly, so the oracle tells what its repair gives: NaN and negative colours count
-// as black, infinite ones as the largest.
+// Point reads see a broken texel exactly, so the oracle tells what its repair gives: NaN and negative colours
+// count as black, infinite ones as the largest.
 TEST_P(Poison, brokenColoursCountAsTheirRepairedOnes) {
     for (Variant variant : committedVariants("temporal_aa")) {
         ASSERT_TRUE(reprise::setSwitch(variant, "MOTION_BLUR_FALLBACK", "off"));
-        if (reprise::switchValue(variant, "NEIGHBOURHOOD") == "four_tap") continue;   // reads between texels
+        if (reprise::switchValue(variant, "NEIGHBOURHOOD") == "four_tap") continue; // reads between texels
         Pass pass(variant, GetParam(), {rgba32f});
         TemporalAaFrame frame = wideFrame(16);
         for (size_t i = 0; i < std::size(places); ++i)
@@ -140,12 +143,13 @@ TEST_P(Poison, brokenColoursCountAsTheirRepairedOnes) {
 // The largest difference of two images.
 float largestDifference(const Pixels& a, const Pixels& b) {
     float largest = 0.0f;
-    for (size_t i = 0; i < a.values.size(); ++i) largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
+    for (size_t i = 0; i < a.values.size(); ++i)
+        largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
     return largest;
 }
 
-// Nothing but the constant weight forgets what the poison left, so the difference falls as its powers. Frames are
-// in float32: a half float stops forgetting when a step is lost in rounding, at 2^-11 / (1 - weight).
+// Nothing but the constant weight forgets what the poison left, so the difference falls as its powers. Frames
+// are in float32: a half float stops forgetting when a step is lost in rounding, at 2^-11 / (1 - weight).
 TEST_P(Poison, whatItLeavesInHistoryDecaysAsTheWeightsPowers) {
     const Variant variant =
         variantOf(pack(), "temporal_aa", {{"CONSTRAINT", "none"}, {"MOTION_BLUR_FALLBACK", "off"}});
@@ -160,13 +164,14 @@ TEST_P(Poison, whatItLeavesInHistoryDecaysAsTheWeightsPowers) {
         poisonedRun.history = run(pass, poisonedRun)[0];
         const float first = largestDifference(cleanRun.history, poisonedRun.history);
         EXPECT_GT(first, 0.0f) << value;
-        poisonedRun.colour = clean.colour;   // the poison is gone
+        poisonedRun.colour = clean.colour; // the poison is gone
         for (int frame = 1; frame <= 8; ++frame) {
             cleanRun.history = run(pass, cleanRun)[0];
             poisonedRun.history = run(pass, poisonedRun)[0];
             EXPECT_EQ(firstBroken({poisonedRun.history}), "") << value;
             const float left = largestDifference(cleanRun.history, poisonedRun.history);
-            EXPECT_LE(left, first * std::pow(0.75f, static_cast<float>(frame)) * 1.001f) << value << ", frame " << frame;
+            EXPECT_LE(left, first * std::pow(0.75f, static_cast<float>(frame)) * 1.001f)
+                << value << ", frame " << frame;
         }
     }
 }
@@ -194,7 +199,7 @@ TEST_P(Poison, theNeighbourhoodForgetsAfterOneFrame) {
                 const int x = i % width, y = i / width;
                 const oracle::Box box = oracle::boxOfSquare(oracle::squareAt(image, x, y));
                 for (int c = 0; c < 3; ++c) {
-                    const double slack = 0x1p-20 * box.maximum[c];   // roundings of the blend
+                    const double slack = 0x1p-20 * box.maximum[c]; // roundings of the blend
                     ASSERT_GE(next.at(x, y, c), box.minimum[c] - slack) << constraint << " " << value;
                     ASSERT_LE(next.at(x, y, c), box.maximum[c] + slack) << constraint << " " << value;
                 }

@@ -44,7 +44,8 @@ Texel historyTexel(uint64_t seed, const Pixels& colour, int x, int y, Contrast c
     const auto ux = static_cast<uint64_t>(x), uy = static_cast<uint64_t>(y);
     if (unitHash(seed, ux, uy, 9) < 0.5) return texel;
     for (int c = 0; c < 3; ++c) {
-        const double near = colour.at(x, y, c) * (0.9 + 0.2 * unitHash(seed, ux, uy, 10 + static_cast<uint64_t>(c)));
+        const double near =
+            colour.at(x, y, c) * (0.9 + 0.2 * unitHash(seed, ux, uy, 10 + static_cast<uint64_t>(c)));
         texel[static_cast<size_t>(c)] = static_cast<float>(std::min(near, 65504.0));
     }
     return texel;
@@ -141,7 +142,8 @@ std::vector<Pixels> run(Pass& pass, const TemporalAaFrame& frame) {
     return pass(inputs, frame.parameters, frame.width(), frame.height());
 }
 
-Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& frame, const std::vector<Pixels>& outputs) {
+Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& frame,
+                             const std::vector<Pixels>& outputs) {
     const oracle::Image colour = oracleImage(frame.colour), depth = oracleImage(frame.depth);
     const oracle::Image velocity = oracleImage(frame.velocity), history = oracleImage(frame.history);
     oracle::TemporalAa taa;

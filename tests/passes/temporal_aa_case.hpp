@@ -16,16 +16,17 @@ struct TemporalAaFrame {
     int height() const { return colour.height; }
 };
 
-enum class Contrast { moderate, extreme };   // 2^-6 to 2^4, or 0 and 2^-10 to 65504
+enum class Contrast { moderate, extreme }; // 2^-6 to 2^4, or 0 and 2^-10 to 65504
 
-// Every pixel has its own colour, motion (none, below a pixel, several pixels, out of the image) and depth; no two
-// depths of a 4x4 block are equal, so that the closest fragment is one.
+// Every pixel has its own colour, motion (none, below a pixel, several pixels, out of the image) and depth;
+// no two depths of a 4x4 block are equal, so that the closest fragment is one.
 TemporalAaFrame randomFrame(int width, int height, uint64_t seed, Contrast contrast = Contrast::moderate);
 reprise::TemporalAaParameters parametersFor(int width, int height);
 
 std::vector<Pixels> run(Pass& pass, const TemporalAaFrame& frame);
 
 // The outputs of `variant` for the frame against the oracle.
-Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& frame, const std::vector<Pixels>& outputs);
+Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& frame,
+                             const std::vector<Pixels>& outputs);
 
 } // namespace passes

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // temporal_aa executed and held to the oracle, pixel by pixel.
 //
-// Bounds: the store to the output's format (storeError) and, where that does not suffice, what the pixel's own
-// conditioning makes of float32 roundings and of the filter's weights (oracle::Disturbance). A float32 output has
-// next to no error of its own, so that a constant wrong in its sixth digit is seen.
+// Bounds: the store to the output's format (storeError) and, where that does not suffice, what the pixel's
+// own conditioning makes of float32 roundings and of the filter's weights (oracle::Disturbance). A float32
+// output has next to no error of its own, so that a constant wrong in its sixth digit is seen.
 #include "temporal_aa_case.hpp"
 
 namespace passes {
@@ -28,13 +28,15 @@ std::vector<VkFormat> float32Outputs(const Variant& variant) {
     return formats;
 }
 
+class LinearFilter : public PassTest {};
 class TemporalAa : public PassTest, public testing::WithParamInterface<Stage> {};
 INSTANTIATE_TEST_SUITE_P(Stages, TemporalAa, testing::Values(Stage::fragment, Stage::compute),
                          [](const auto& each) { return stageText(each.param); });
 
 TEST_P(TemporalAa, committedVariantsEqualTheOracleAtSmallSizes) {
     for (const Variant& variant : committedVariants("temporal_aa")) {
-        if (reprise::forStage(variant, GetParam()).values != variant.values) continue;   // the same as another one
+        if (reprise::forStage(variant, GetParam()).values != variant.values)
+            continue; // the same as another one
         Pass pass(variant, GetParam(), float32Outputs(variant));
         for (const Size size : smallSizes)
             expectOracle(pass, GetParam(), randomFrame(size.width, size.height, 1));
@@ -57,7 +59,7 @@ TEST_P(TemporalAa, presetsEqualTheOracleInHalfFloat) {
     }
 }
 
-TEST(LinearFilter, weightsHaveAtLeastTheBitsThatHistoryNeeds) {
+TEST_F(LinearFilter, weightsHaveAtLeastTheBitsThatHistoryNeeds) {
     // Vulkan's least is 4 bits; below 8 a history of sub-pixel motion would drift visibly.
     EXPECT_LE(linearFilterError(), 0x1p-8);
     RecordProperty("error", std::to_string(linearFilterError()));
