@@ -21,7 +21,7 @@ function ticks(low, high, count) {
 
 function number(value, digits = 3) {
   if (value === null || value === undefined) return "";
-  if (value === 0) return "0";
+  if (Number.isInteger(value)) return String(value);
   const magnitude = Math.floor(Math.log10(Math.abs(value)));
   if (magnitude >= digits) return value.toFixed(0);
   return value.toFixed(Math.min(6, Math.max(0, digits - 1 - magnitude)));
