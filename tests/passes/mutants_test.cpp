@@ -11,6 +11,8 @@
 #include <limits>
 #include <sstream>
 
+#include <unistd.h>
+
 namespace passes {
 namespace {
 
@@ -271,7 +273,8 @@ struct MutantPack {
     std::optional<reprisec::Pack> pack;
 
     explicit MutantPack(const Mutant& mutant)
-        : directory(fs::temp_directory_path() / ("reprise_mutant_" + std::string(mutant.name))) {
+        : directory(fs::temp_directory_path() /
+                    ("reprise_mutant_" + std::to_string(getpid()) + "_" + std::string(mutant.name))) {
         if (!writeMutant(mutant, directory)) return;
         auto loaded = reprisec::Pack::load(directory / "pack.toml");
         if (loaded) pack = std::move(*loaded);
