@@ -42,13 +42,16 @@ Product productOf(const CameraCase& frame, int x, int y) {
 }
 
 // Four products and their sums, matrix and vector rounded before: eight roundings of 2^-24 of the magnitudes.
-// Where w itself is not above them, either side of the guard is right.
+// Where w itself is not above them, either side of the guard is right; and so is any place outside of the
+// image for a surface that was 8 images or more away.
 glm::dvec2 boundOf(const CameraCase& frame, int x, int y) {
     const Product product = productOf(frame, x, y);
     const glm::dvec4 error = 8.0 * 0x1p-24 * product.magnitude;
     const double w = std::abs(product.clip.w);
     if (w <= error.w) return glm::dvec2(std::numeric_limits<double>::infinity());
     const glm::dvec2 ndc = glm::abs(glm::dvec2(product.clip) / w);
+    const bool farAway = product.clip.w > 0.0 && std::max(ndc.x, ndc.y) >= 15.0; // uv of -7 or 8
+    if (farAway) return glm::dvec2(std::numeric_limits<double>::infinity());
     return 0.5 * (glm::dvec2(error) + ndc * error.w) / (w - error.w) +
            0x1p-22 * glm::max(ndc, glm::dvec2(1.0));
 }
