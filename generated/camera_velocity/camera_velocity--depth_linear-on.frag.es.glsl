@@ -22,8 +22,8 @@ void main()
     vec4 _70 = parameters.gReprojection * vec4((_58 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _54, _54, 1.0);
     float _71 = _70.w;
     bool _72 = _71 > 0.0;
-    vec2 _78 = clamp((_70.xy / vec2(_72 ? _71 : 1.0)) * vec2(0.5, -0.5) + vec2(0.5), vec2(-8.0), vec2(8.0));
-    bvec2 _79 = bvec2(_72);
-    gOutVelocity = _58 - vec2(_79.x ? _78.x : vec2(-8.0).x, _79.y ? _78.y : vec2(-8.0).y);
+    vec2 _77 = (_70.xy / vec2(_72 ? _71 : 1.0)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _82 = bvec2(_72 && all(lessThanEqual(abs(_77), vec2(8.0))));
+    gOutVelocity = _58 - vec2(_82.x ? _77.x : vec2(-8.0).x, _82.y ? _77.y : vec2(-8.0).y);
 }
 

@@ -20,8 +20,8 @@ void main()
     vec4 _68 = parameters.gReprojection * vec4((_60 - vec2(0.5)) * vec2(2.0, -2.0), textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0).x, 1.0);
     float _69 = _68.w;
     bool _70 = _69 > 0.0;
-    vec2 _76 = clamp((_68.xy / vec2(_70 ? _69 : 1.0)) * vec2(0.5, -0.5) + vec2(0.5), vec2(-8.0), vec2(8.0));
-    bvec2 _77 = bvec2(_70);
-    gOutVelocity = _60 - vec2(_77.x ? _76.x : vec2(-8.0).x, _77.y ? _76.y : vec2(-8.0).y);
+    vec2 _75 = (_68.xy / vec2(_70 ? _69 : 1.0)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _80 = bvec2(_70 && all(lessThanEqual(abs(_75), vec2(8.0))));
+    gOutVelocity = _60 - vec2(_80.x ? _75.x : vec2(-8.0).x, _80.y ? _75.y : vec2(-8.0).y);
 }
 

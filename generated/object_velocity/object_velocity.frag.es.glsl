@@ -9,11 +9,11 @@ layout(location = 0) out vec2 gOutVelocity;
 void main()
 {
     bool _29 = varying0.w > 0.0;
-    vec2 _35 = clamp((varying0.xy / vec2(_29 ? varying0.w : 1.0)) * vec2(0.5, -0.5) + vec2(0.5), vec2(-8.0), vec2(8.0));
-    bvec2 _36 = bvec2(_29);
-    bool _39 = varying1.w > 0.0;
-    vec2 _45 = clamp((varying1.xy / vec2(_39 ? varying1.w : 1.0)) * vec2(0.5, -0.5) + vec2(0.5), vec2(-8.0), vec2(8.0));
-    bvec2 _46 = bvec2(_39);
-    gOutVelocity = vec2(_36.x ? _35.x : vec2(-8.0).x, _36.y ? _35.y : vec2(-8.0).y) - vec2(_46.x ? _45.x : vec2(-8.0).x, _46.y ? _45.y : vec2(-8.0).y);
+    vec2 _34 = (varying0.xy / vec2(_29 ? varying0.w : 1.0)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _39 = bvec2(_29 && all(lessThanEqual(abs(_34), vec2(8.0))));
+    bool _42 = varying1.w > 0.0;
+    vec2 _47 = (varying1.xy / vec2(_42 ? varying1.w : 1.0)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _52 = bvec2(_42 && all(lessThanEqual(abs(_47), vec2(8.0))));
+    gOutVelocity = vec2(_39.x ? _34.x : vec2(-8.0).x, _39.y ? _34.y : vec2(-8.0).y) - vec2(_52.x ? _47.x : vec2(-8.0).x, _52.y ? _47.y : vec2(-8.0).y);
 }
 

@@ -25,7 +25,7 @@ float3 sampleMotion(TEXTURE_PARAMETER(colour), float2 uv, float2 motionUv) {
         sum += sanitize(SAMPLE(colour, uv + stepUv * float(tap)).rgb);
         sum += sanitize(SAMPLE(colour, uv - stepUv * float(tap)).rgb);
     }
-    return sum / float(2 * MOTION_BLUR_TAPS + 1);
+    return min(sum / float(2 * MOTION_BLUR_TAPS + 1), MAX_COLOUR);
 }
 
 #endif

@@ -2,8 +2,8 @@
 // Reads shared between the four invocations of a quad. Each reads itself and the texels on its outer side;
 // the inner ones are read by its neighbours and come over.
 //
-// Fragment: they come as fine derivatives, own + (neighbour - own), exact to one rounding of the larger of
-// the two. A NaN or an infinity in one pixel reaches the other three, so values are made finite first.
+// Fragment: they come as fine derivatives, own + (neighbour - own), exact to two roundings of the larger
+// of the two. A NaN or an infinity in one pixel reaches the other three, so values are made finite first.
 // Compute: they come through quad operations, exactly. Neighbours in a row are neighbours in the group, all
 // four must be running, and the device must have quad operations in compute.
 #ifndef REPRISE_QUAD_SHARING_HLSLI

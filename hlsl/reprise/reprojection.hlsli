@@ -10,13 +10,13 @@
 // isInsideUv() rejects it, and small enough for a binary16 velocity. The listings divide by w as it comes.
 static const float2 BEHIND_CAMERA_UV = float2(-8.0, -8.0);
 
-// Clip coordinates to UV, guarded against w <= 0 and NaN. A clip position is homogeneous only up to a
-// positive factor. Results are held to [-8, 8] so that no infinity reaches a velocity buffer.
+// Clip coordinates to UV. A clip position is homogeneous only up to a positive factor. Where w <= 0, where a
+// coordinate is NaN and from 8 images away on it is BEHIND_CAMERA_UV, so that neither NaN nor infinity
+// reaches a velocity buffer: both comparisons are false for NaN.
 float2 clipToUv(float4 positionCS) {
     bool inFront = positionCS.w > 0.0;
-    float2 ndc = positionCS.xy / (inFront ? positionCS.w : 1.0);
-    float2 uv = clamp(ndcToUv(ndc), -8.0, 8.0);
-    return inFront ? uv : BEHIND_CAMERA_UV;
+    float2 uv = ndcToUv(positionCS.xy / (inFront ? positionCS.w : 1.0));
+    return inFront && all(abs(uv) <= 8.0) ? uv : BEHIND_CAMERA_UV;
 }
 
 // Previous UV of the static surface seen at `uv` (unjittered) with device depth in [0,1].

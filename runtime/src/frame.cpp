@@ -36,6 +36,8 @@ struct Recorder {
     bool imagesAreNew = true, resized = false;
     uint64_t recorded = 0;  // calls that succeeded
     uint64_t lastFrame = 0; // of the last of them
+    uint64_t historyFrames = 0; // since the last reset
+    TaaTuning tuning;           // of the preset
     CameraFrame lastCamera;
 };
 
@@ -105,6 +107,9 @@ Result<Recorder> makeRecorder(const Device& device, std::span<const PassInfo> pa
     recorder.colourFormat = info.colourFormat;
     recorder.depthFormat = info.depthFormat;
     recorder.plan = std::move(*planned);
+    const auto presets = packPresets(temporalPass);
+    const auto preset = std::ranges::find(presets, info.settings.preset, &PresetInfo::name);
+    if (preset != presets.end()) recorder.tuning = tuningOf(*preset);
     recorder.slots.resize(info.framesInFlight);
     auto images = makeFrameImages(device, recorder.plan);
     if (!images) return images.error();
@@ -267,7 +272,7 @@ Result<FrameArena*> beginArena(Recorder& recorder, size_t objects) {
 struct Frame {
     const FrameInput& input;
     CameraFrame previous;
-    bool historyValid = false;
+    uint64_t historyFrames = 0;
     VkExtent2D extent{};
 };
 
@@ -291,8 +296,9 @@ Result<PreparedStep> prepareStep(const Recorder& recorder, size_t index, FrameAr
         return prepared;
     }
     const bool temporal = recorder.plan.passes[index].variant.pass->name == temporalPass;
+    const TaaTuning tuning = frame.input.tuning.value_or(recorder.tuning);
     auto pass = temporal ? preparePass(recorder, index, arena, frame.input,
-                                       temporalParameters(frame.input, frame.extent, frame.historyValid,
+                                       temporalParameters(frame.input, tuning, frame.extent, frame.historyFrames,
                                                           recorder.needs.engineWritesMotion))
                          : preparePass(recorder, index, arena, frame.input,
                                        cameraParameters(frame.input, frame.previous, frame.extent,
@@ -399,8 +405,8 @@ FrameOutput outputOf(const Recorder& recorder, const FrameInput& input, std::str
 Result<FrameOutput> recordFrame(Recorder& recorder, VkCommandBuffer commands, const FrameInput& input) {
     if (auto checked = checkInput(recorder, input); !checked) return checked.error();
     const std::string_view reason = resetReason(recorder, input);
-    const Frame frame{input, reason.empty() ? recorder.lastCamera : input.camera, reason.empty(),
-                      outputExtent(recorder)};
+    const Frame frame{input, reason.empty() ? recorder.lastCamera : input.camera,
+                      reason.empty() ? recorder.historyFrames : 0, outputExtent(recorder)};
     auto arena = beginArena(recorder, input.movingObjects.size());
     if (!arena) return arena.error();
     std::vector<PreparedStep> prepared;
@@ -417,6 +423,7 @@ Result<FrameOutput> recordFrame(Recorder& recorder, VkCommandBuffer commands, co
     ++recorder.recorded;
     recorder.lastFrame = input.frameIndex;
     recorder.lastCamera = input.camera;
+    recorder.historyFrames = frame.historyFrames + 1;
     recorder.imagesAreNew = recorder.resized = false;
     return output;
 }

@@ -3,6 +3,7 @@
 // jitters.
 #include "frame_parameters.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace reprise {
@@ -49,16 +50,25 @@ ObjectVelocityParameters objectParameters(const ObjectDraw& object, const FrameI
     return parameters;
 }
 
-TemporalAaParameters temporalParameters(const FrameInput& input, VkExtent2D extent, bool historyValid,
-                                        bool engineMotion) {
-    const TaaTuning& tuning = input.tuning;
+TaaTuning tuningOf(const PresetInfo& preset) {
+    TaaTuning tuning;
+    tuning.feedbackMin = preset.feedbackMin;
+    tuning.feedbackMax = preset.feedbackMax;
+    tuning.rampFeedback = preset.rampFeedback;
+    return tuning;
+}
+
+TemporalAaParameters temporalParameters(const FrameInput& input, const TaaTuning& tuning, VkExtent2D extent,
+                                        uint64_t historyFrames, bool engineMotion) {
+    const auto frames = static_cast<float>(historyFrames);
+    const float most = tuning.rampFeedback ? frames / (frames + 1.0f) : 1.0f;
     TemporalAaParameters parameters{};
     store(parameters.gOutputSize, sizeOf(extent));
     store(parameters.gJitterPx, input.jitterPx);
     store(parameters.gMotionToUv, engineMotion ? tuning.motionToUv : glm::vec2(1.0f));
-    parameters.gHistoryValid = historyValid ? 1.0f : 0.0f;
-    parameters.gFeedbackMin = tuning.feedbackMin;
-    parameters.gFeedbackMax = tuning.feedbackMax;
+    parameters.gHistoryValid = historyFrames > 0 ? 1.0f : 0.0f;
+    parameters.gFeedbackMin = std::min(tuning.feedbackMin, most);
+    parameters.gFeedbackMax = std::min(tuning.feedbackMax, most);
     parameters.gBlurFromPx = tuning.blurFromPx;
     parameters.gBlurToPx = tuning.blurToPx;
     return parameters;

@@ -11,8 +11,9 @@ CameraVelocityParameters cameraParameters(const FrameInput& input, const CameraF
                                           VkExtent2D extent, bool linearDepth);
 ObjectVelocityParameters objectParameters(const ObjectDraw& object, const FrameInput& input,
                                           const CameraFrame& previous, VkExtent2D extent);
+// historyFrames: frames since history was reset, 0 when it holds none.
 // tuning.motionToUv is for the engine's own motion; that of the velocity passes is in UV.
-TemporalAaParameters temporalParameters(const FrameInput& input, VkExtent2D extent, bool historyValid,
-                                        bool engineMotion);
+TemporalAaParameters temporalParameters(const FrameInput& input, const TaaTuning& tuning, VkExtent2D extent,
+                                        uint64_t historyFrames, bool engineMotion);
 
 } // namespace reprise

@@ -40,6 +40,7 @@ void addFlips(const Variant& base, std::string_view name, Stage stage, std::vect
             RowSpec row;
             row.label = fmt::format("{} + {}", name, switchText(info, static_cast<uint8_t>(value)));
             row.variant = base;
+            row.preset = name;
             row.variant->values[s] = static_cast<uint8_t>(value);
             rows.push_back(std::move(row));
         }
@@ -76,7 +77,9 @@ std::vector<RowSpec> temporalRows(const reprisec::Pack& pack, Stage stage,
     rows.push_back({.label = "none", .variant = {}, .jitter = JitterSequence::none});
     for (const auto& preset : pack.presets("temporal_aa"))
         rows.push_back(
-            {.label = std::string(preset.name), .variant = presetVariant(pack, preset.name, stage)});
+            {.label = std::string(preset.name),
+             .variant = presetVariant(pack, preset.name, stage),
+             .preset = std::string(preset.name)});
     for (const std::string& name : flipped)
         addFlips(presetVariant(pack, name, stage), name, stage, rows);
     const Variant inside = presetVariant(pack, "inside", stage);

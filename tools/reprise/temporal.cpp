@@ -22,11 +22,11 @@ struct SceneData {
     int cutFrame;
 };
 
-reprise::Settings settingsOf(const reprise::Variant& variant, Stage stage) {
+reprise::Settings settingsOf(const reprise::Variant& variant, Stage stage, std::string_view preset) {
     // Every switch is set by hand: a report runs exactly the variant that its row names.
     reprise::Settings settings;
     settings.stage = stage;
-    settings.preset = "inside";
+    settings.preset = preset;
     for (size_t i = 0; i < variant.pass->switches.size(); ++i) {
         const auto& info = variant.pass->switches[i];
         settings.overrides.push_back({info.name, info.values[variant.values[i]]});
@@ -42,7 +42,8 @@ reprise::SceneNeeds needsOfReport() {
 }
 
 std::vector<Picture> runVariant(Experiment& e, const RowSpec& spec, Stage stage, SceneData& data) {
-    reprise::FrameRecorder recorder = makeRecorder(e, needsOfReport(), settingsOf(*spec.variant, stage));
+    reprise::FrameRecorder recorder =
+        makeRecorder(e, needsOfReport(), settingsOf(*spec.variant, stage, spec.preset));
     std::vector<Picture> pictures;
     for (uint32_t index = 0; index < data.frames.size(); ++index) {
         RenderedFrame& frame = data.frames[index];
@@ -105,8 +106,8 @@ void addErrors(Row& row, const std::vector<Picture>& pictures, const GroundTruth
 uint64_t memoryOf(Experiment& e, const reprise::Variant& variant, Stage stage) {
     const auto& pack = e.shaders.pack();
     const auto plan =
-        reprise::plan(pack.passes(), pack.presets("temporal_aa"), needsOfReport(), settingsOf(variant, stage),
-                      {e.plan.timingSize.width, e.plan.timingSize.height});
+        reprise::plan(pack.passes(), pack.presets("temporal_aa"), needsOfReport(),
+                      settingsOf(variant, stage, "inside"), {e.plan.timingSize.width, e.plan.timingSize.height});
     if (!plan) throw std::runtime_error(plan.error().message);
     return plan->bytes;
 }

@@ -97,6 +97,7 @@ private:
     ImageInfo readImage(const toml::table& table, const PassInfo& pass);
     void readInput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
                    std::vector<BindingInfo>& bindings);
+    std::pair<float, float> feedback(const toml::table& table);
     void readOutput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
                     std::vector<BindingInfo>& bindings);
     void addBinding(const toml::table& table, std::vector<BindingInfo>& bindings, BindingInfo binding);
@@ -260,14 +261,26 @@ void Reader::readPass(const toml::table& table) {
     storage_.presets.emplace_back();
 }
 
+// [least, most] weight of history, 0 <= least <= most < 1.
+std::pair<float, float> Reader::feedback(const toml::table& table) {
+    const toml::array* pair = need(table, "feedback").as_array();
+    const auto number = [&](size_t i) { return pair->get(i)->value<double>().value_or(-1.0); };
+    const bool valid = pair != nullptr && pair->size() == 2 && number(0) >= 0.0 && number(0) <= number(1);
+    if (!valid || !(number(1) < 1.0))
+        fail(need(table, "feedback"), "feedback is [least, most] weight of history, 0 <= least <= most < 1");
+    return {static_cast<float>(number(0)), static_cast<float>(number(1))};
+}
+
 void Reader::readPreset(const toml::table& table) {
-    allow(table, {"pass", "name", "summary", "switches"});
+    allow(table, {"pass", "name", "summary", "switches", "feedback", "ramp_feedback"});
     const auto passName = text(table, "pass");
     const auto pass = std::ranges::find(storage_.passes, passName, &PassInfo::name);
     if (pass == storage_.passes.end()) fail(need(table, "pass"), "there is no pass " + std::string(passName));
     auto& presets = storage_.presets[static_cast<size_t>(pass - storage_.passes.begin())];
+    const auto [feedbackMin, feedbackMax] = feedback(table);
     const PresetInfo preset{text(table, "name"), textOr(table, "summary"),
-                            conditions(table, "switches", *pass)};
+                            conditions(table, "switches", *pass), feedbackMin, feedbackMax,
+                            flagOr(table, "ramp_feedback", false)};
     if (std::ranges::find(presets, preset.name, &PresetInfo::name) != presets.end())
         fail(table, "the pass " + std::string(passName) + " has two presets of this name; rename one");
     presets.push_back(preset);

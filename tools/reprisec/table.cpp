@@ -136,7 +136,10 @@ std::string addPresets(Arrays& arrays, const Pack& pack, const PassInfo& info) {
     for (const auto& each : pack.presets(info.name)) {
         const std::string name = std::string(info.name) + "_preset_" + std::string(each.name);
         elements.push_back("{" + literal(each.name) + ", " + literal(each.summary) + ", " +
-                           addConditions(arrays, name, each.switches) + "}");
+                           addConditions(arrays, name, each.switches) + ", " +
+                           std::to_string(each.feedbackMin) + "f, " + std::to_string(each.feedbackMax) +
+                           "f, " +
+                           (each.rampFeedback ? "true" : "false") + "}");
     }
     return arrays.add("PresetInfo", std::string(info.name) + "_presets", elements);
 }

@@ -15,7 +15,7 @@ namespace {
 
 // Temporal anti-aliasing resolves more than a pixel's worth of texture detail; the ground truth needs no
 // help.
-constexpr float temporalLodBias = -0.5f, truthLodBias = 0.0f;
+constexpr float lodBias = -0.5f; // as temporal anti-aliasing wants; the truth integrates the same texture
 
 struct PaletteBuffers {
     harness::Buffer current, previous;
@@ -333,7 +333,7 @@ void Renderer::render(VkCommandBuffer commands, int frame, glm::dvec2 jitterPx, 
     harness::Image* const colours[] = {&targets.colour, &targets.depth, &targets.normal, &targets.motion,
                                        &targets.ids};
     state_->drawView(commands, slot, colours, targets.depthTest,
-                     state_->constants(frame, jitterPx, temporalLodBias));
+                     state_->constants(frame, jitterPx, lodBias));
     for (harness::Image* image : colours)
         state_->gpu.use(commands, *image, reprise::sampledState);
     state_->gpu.use(commands, targets.depthTest, depthReadState);
@@ -351,7 +351,7 @@ std::vector<float> Renderer::groundTruth(int frame, uint32_t samples) {
             if (first == 0) state.drawShadows(commands, slot);
             for (uint32_t i = first; i < std::min(first + samplesPerSubmission, samples); ++i) {
                 const RenderConstants constants =
-                    state.constants(frame, truthJitter(i, samples), truthLodBias);
+                    state.constants(frame, truthJitter(i, samples), lodBias);
                 state.drawView(commands, slot, colours, state.truth->depth, constants);
                 state.accumulate(commands, i == 0);
             }

@@ -245,21 +245,21 @@ inline constexpr ImageInfo temporal_aa_outputs[] = {
     {"gOutColour", "linear, scene-referred", "rgba16f", 1.000000f, "", temporal_aa_gOutColour_when,
      ""},
 };
-inline constexpr Condition temporal_aa_preset_best[] = {{"COLOUR_SPACE", "ycocg"}, {"FEEDBACK", "luminance"}, {"HDR_WEIGHT", "on"}, {"HISTORY_FILTER", "bicubic"}, {"MOTION_BLUR_FALLBACK", "off"}, {"QUAD_SHARING", "on"}, {"UNJITTER", "gaussian"}};
+inline constexpr Condition temporal_aa_preset_best[] = {{"FEEDBACK", "luminance"}, {"HDR_WEIGHT", "on"}, {"HISTORY_FILTER", "bicubic"}, {"MOTION_BLUR_FALLBACK", "off"}, {"QUAD_SHARING", "on"}};
 inline constexpr Condition temporal_aa_preset_lean[] = {{"FEEDBACK", "luminance"}, {"MOTION_BLUR_FALLBACK", "off"}, {"QUAD_SHARING", "on"}, {"UNJITTER", "off"}};
 inline constexpr PresetInfo temporal_aa_presets[] = {
-    {"inside", "as the document describes it", {}},
-    {"best", "the best found on the error-time front", temporal_aa_preset_best},
-    {"lean", "the form whose speed is published: one target, luminance feedback, shared reads", temporal_aa_preset_lean},
+    {"inside", "as the document describes it; 0.97 is its published implementation's", {}, 0.880000f, 0.970000f, false},
+    {"best", "the best found on the error-time front", temporal_aa_preset_best, 0.800000f, 0.950000f, true},
+    {"lean", "one target, luminance feedback, shared reads: the form whose speed is published", temporal_aa_preset_lean, 0.880000f, 0.970000f, true},
 };
 inline constexpr PackModule temporal_aa_modules[] = {
     {"temporal_aa", Stage::fragment,
      "", ""},
     {"temporal_aa", Stage::compute,
      "", ""},
-    {"temporal_aa--colour_space-ycocg--unjitter-gaussian--feedback-luminance--motion_blur_fallback-off--hdr_weight-on--history_filter-bicubic--quad_sharing-on", Stage::fragment,
+    {"temporal_aa--feedback-luminance--motion_blur_fallback-off--hdr_weight-on--history_filter-bicubic--quad_sharing-on", Stage::fragment,
      "", "GLSL ES 3.00 cannot express it: textureGather requires ESSL 310."},
-    {"temporal_aa--colour_space-ycocg--unjitter-gaussian--feedback-luminance--motion_blur_fallback-off--hdr_weight-on--history_filter-bicubic--quad_sharing-on", Stage::compute,
+    {"temporal_aa--feedback-luminance--motion_blur_fallback-off--hdr_weight-on--history_filter-bicubic--quad_sharing-on", Stage::compute,
      "GLSL 4.50 cannot express it: This subgroup operation is only supported in Vulkan semantics.", "GLSL ES 3.10 cannot express it: This subgroup operation is only supported in Vulkan semantics."},
     {"temporal_aa--unjitter-off--feedback-luminance--motion_blur_fallback-off--quad_sharing-on", Stage::fragment,
      "", "GLSL ES 3.00 cannot express it: textureGather requires ESSL 310."},

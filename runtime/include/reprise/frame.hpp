@@ -24,9 +24,13 @@ struct ObjectDraw {
 
 struct TaaTuning {
     float feedbackMin = 0.88f, feedbackMax = 0.97f; // history weight; constant feedback uses feedbackMax
+    bool rampFeedback = false; // history of n frames weighs at most n / (n + 1): after a reset, their mean
     float blurFromPx = 2.0f, blurToPx = 15.0f;      // trust 1 and trust 0 of the motion blur fallback
     glm::vec2 motionToUv{1.0f, 1.0f};               // scales gInVelocity to UV, curr - prev
 };
+
+// The numbers that a preset comes with.
+TaaTuning tuningOf(const PresetInfo& preset);
 
 struct FrameInput {
     uint64_t frameIndex = 0;                 // a gap to the previous call resets history
@@ -37,7 +41,7 @@ struct FrameInput {
     std::optional<ImageRef> depthAttachment; // with objectsMove: tested, not written; DEPTH_READ_ONLY_OPTIMAL
     std::span<const ObjectDraw> movingObjects;
     bool resetHistory = false; // camera cut
-    TaaTuning tuning;
+    std::optional<TaaTuning> tuning; // else that of the preset
 };
 
 struct FrameOutput {

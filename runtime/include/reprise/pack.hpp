@@ -75,6 +75,9 @@ struct PresetInfo {
     std::string_view name; // best
     std::string_view summary;
     std::span<const Condition> switches; // differences from the defaults
+    // Numbers that go with them, defaults of TaaTuning.
+    float feedbackMin = 0.0f, feedbackMax = 0.0f;
+    bool rampFeedback = false;
 };
 
 // The value of each switch of a pass, in the order of the table. Empty means all defaults.
