@@ -2,6 +2,7 @@
 // What the report does without measuring: rows from the table, floors from reflection, files, page, progress.
 #include "commands.hpp"
 #include "floors.hpp"
+#include "object_times.hpp"
 #include "page.hpp"
 #include "parallel.hpp"
 
@@ -142,6 +143,7 @@ void expectFloorReadsWhatThePassReads(const reprise::Variant& variant, Stage sta
         EXPECT_EQ(use.samples, same->samples) << use.name;
         EXPECT_EQ(use.gathers, same->gathers) << use.name;
         EXPECT_EQ(use.fetches, same->fetches) << use.name;
+        EXPECT_EQ(use.scalars, same->scalars) << use.name;
         EXPECT_EQ(use.stores, same->stores) << use.name;
         // Which filter a sampler has is the table's word, not the module's.
         if (!use.name.ends_with("_sampler")) {
@@ -162,6 +164,30 @@ TEST(Floors, haveTheReadsAndWritesOfTheirPass) {
     ASSERT_TRUE(camera);
     for (Stage stage : {Stage::fragment, Stage::compute})
         expectFloorReadsWhatThePassReads(*camera, stage);
+}
+
+// Same vertex inputs, palettes and target: what the compiler drops would be missing from the floor's time.
+TEST(Floors, ofTheObjectPassReadsItsPalettesAndVertices) {
+    for (const bool skinned : {false, true}) {
+        auto variant = reprise::makeVariant(pack().passes(), "object_velocity");
+        ASSERT_TRUE(variant);
+        if (skinned) {
+            ASSERT_TRUE(reprise::setSwitch(*variant, "SKINNING", "on"));
+        }
+        for (const Stage stage : {Stage::vertex, Stage::fragment}) {
+            const auto pass = reprisec::compile(pack(), *variant, stage, {.glsl = false, .platformSwitches = {}});
+            ASSERT_TRUE(pass) << pass.error().message;
+            const auto floor = compileText("floor", objectFloorSource(skinned), stage);
+            std::set<uint32_t> expected, found;
+            for (const auto& use : pass->reflection.bindings)
+                expected.insert(use.binding);
+            for (const auto& use : floor.reflection.bindings)
+                found.insert(use.binding);
+            EXPECT_EQ(expected, found);
+            EXPECT_EQ(pass->reflection.colourOutputs, floor.reflection.colourOutputs);
+            EXPECT_EQ(pass->reflection.parameterBytes, floor.reflection.parameterBytes);
+        }
+    }
 }
 
 TEST(Results, theFrontHasWhatNoOtherRowBeats) {

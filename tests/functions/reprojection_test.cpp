@@ -62,6 +62,15 @@ glm::dmat4 matrixOf(const Row& in) {
     return {dvec4(in[0]), dvec4(in[1]), dvec4(in[2]), dvec4(in[3])};
 }
 
+// Whether a place may come out on either side of the limit of eight images; y may run either way.
+bool isAtLimit(dvec2 ndc, double bound) {
+    bool at = false;
+    for (const double extent : {std::abs(ndc.x), std::abs(ndc.y)})
+        for (const double shift : {-0.5, 0.5})
+            at = at || std::abs(0.5 * extent + shift - 8.0) <= bound;
+    return at;
+}
+
 // The matrix is stored in binary32 and multiplied there: each component of the clip position errs by some ten
 // roundings at the sum of its absolute products. `sizes` are what the point's coordinates were rounded at.
 // Divided by w, that is what uv errs by. Where w is not clear of its own error, either answer is right.
@@ -75,6 +84,7 @@ Expected nearClip(const glm::dmat4& m, dvec4 point, dvec4 sizes, dvec2 uv) {
     const double ndc = std::max(std::abs(clip.x), std::abs(clip.y)) / clip.w;
     const double bound =
         (std::max(error.x, error.y) + ndc * error.w) / (clip.w - error.w) + divisionError * ndc;
+    if (isAtLimit(dvec2(clip) / clip.w, bound + 32.0 * roundoff)) return finite();
     return near(uv, bound + 4.0 * roundoff * std::max(1.0, largest(dvec3(uv, 0.0))));
 }
 
@@ -196,7 +206,8 @@ TEST(Reprojection, ndcWithTheWrongYIsCaught) {
 
 TEST(Reprojection, placeBehindThePreviousCameraWithoutItsGuardIsCaught) {
     expectCaught(byDeviceDepth(conventions()[0]),
-                 {header, "return inFront ? uv : BEHIND_CAMERA_UV;", "return uv;"});
+                 {header, "return inFront && all(abs(uv) <= 8.0) ? uv : BEHIND_CAMERA_UV;",
+                  "return all(abs(uv) <= 8.0) ? uv : BEHIND_CAMERA_UV;"});
     expectCaught(byDeviceDepth(conventions()[0]),
                  {header, "bool inFront = positionCS.w > 0.0;", "bool inFront = positionCS.w != 0.0;"});
 }
@@ -244,15 +255,15 @@ Comparison clipping() {
                 const dvec4 clip(in[0]);
                 const bool odd = !glm::all(glm::lessThan(glm::abs(clip), dvec4(1e38)));
                 const bool flushed = std::abs(clip.w) < flush && clip.w != 0.0;
-                // NaN and infinity in front of the camera: any finite place will do. w is never one of them
-                // there.
-                if ((odd && clip.w > 0.0) || flushed) return std::vector{finite()};
+                // Infinity and NaN in front of the camera are nowhere; with an infinite w any finite place will do.
+                if (std::isinf(clip.w) || flushed) return std::vector{finite()};
+                if (odd && clip.w > 0.0) return std::vector{near(oracle::behindCameraUv, 0.0)};
                 const dvec2 uv = oracle::clipToUv(clip);
                 const dvec2 ndc = clip.w > 0.0 ? glm::abs(dvec2(clip)) / clip.w : dvec2(0.0);
-                // A division, a product, a sum; beyond 16 in NDC the result is held to 8 whatever its error.
+                // A division, a product, a sum; beyond 17 in NDC a place is behind whatever its error.
                 const double size = std::min(std::max(ndc.x, ndc.y), 20.0);
-                return std::vector{
-                    near(uv, clip.w > 0.0 ? divisionError * size + 2.0 * roundoff * (1.0 + size) : 0.0)};
+                const double bound = clip.w > 0.0 ? divisionError * size + 2.0 * roundoff * (1.0 + size) : 0.0;
+                return std::vector{isAtLimit(ndc, bound) ? finite() : near(uv, bound)};
             }};
 }
 
@@ -263,8 +274,8 @@ TEST(Reprojection, clipPositionsOfAnyKindGiveFinitePlaces) {
             EXPECT_LE(std::abs(out[0][axis]), 8.0f);
 }
 
-TEST(Reprojection, clipPositionsWithoutTheClampAreCaught) {
-    expectCaught(clipping(), {header, "clamp(ndcToUv(ndc), -8.0, 8.0)", "ndcToUv(ndc)"});
+TEST(Reprojection, clipPositionsWithoutTheLimitAreCaught) {
+    expectCaught(clipping(), {header, "inFront && all(abs(uv) <= 8.0)", "inFront"});
 }
 
 TEST(Reprojection, historyBehindTheCameraIsOutsideOfTheImage) {

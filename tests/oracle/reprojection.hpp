@@ -49,12 +49,13 @@ inline dvec4 viewPoint(dvec2 ndc, double z, const dmat4& p) {
             (ndc.y * w - p[2][1] * depth - p[3][1] * one) / p[1][1], depth, one};
 }
 
-// What stands for a place on or behind the camera plane: outside of every image.
+// What stands for a place on or behind the camera plane, or eight images away: outside of every image.
 inline const dvec2 behindCameraUv{-8.0, -8.0};
 
 inline dvec2 clipToUv(dvec4 clip, bool sharesY = false) {
     if (!(clip.w > 0.0)) return behindCameraUv;
-    return glm::clamp(ndcToUv(dvec2(clip) / clip.w, sharesY), -8.0, 8.0);
+    dvec2 uv = ndcToUv(dvec2(clip) / clip.w, sharesY);
+    return glm::all(glm::lessThanEqual(glm::abs(uv), dvec2(8.0))) ? uv : behindCameraUv;
 }
 
 // q_uv of "Reprojection of static scenes". uv is unjittered; linear is view z of the current camera.

@@ -70,6 +70,15 @@ std::string readsOf(const reprise::PassInfo& pass, const BindingUse& use, const 
     return text;
 }
 
+// A CPU rasteriser pays for each parameter of each pixel, so the floor reads as many as the pass.
+std::string parametersRead(const reprisec::Reflection& reflection) {
+    std::string text;
+    for (const BindingUse& use : reflection.bindings)
+        for (uint32_t i = 0; i < use.scalars; ++i)
+            text += fmt::format("    sum.{1} += gParameters[{0}].{1};\n", i / 4, "xyzw"[i % 4]);
+    return text;
+}
+
 std::string declarations(const reprisec::Reflection& reflection) {
     std::string text;
     if (reflection.parameterBytes > 0)
@@ -180,7 +189,7 @@ std::string floorSource(const reprise::Variant& variant, Stage stage, const repr
     const uint32_t one[2] = {1, 1};
     std::string text = declarations(reflection) + constants(width, height);
     text += "float4 readAll(float2 uv) {\n    float4 value, sum = 0.0;\n";
-    if (reflection.parameterBytes > 0) text += "    sum += gParameters[0];\n";
+    text += parametersRead(reflection);
     for (const BindingUse& use : reflection.bindings)
         if (use.kind == BindingKind::sampledImage)
             text += readsOf(pass, use, stage == Stage::compute ? pass.pixelsPerThread : one);
@@ -222,7 +231,7 @@ const reprise::PassInfo& simpleFloorPass() {
         info.name = "floor";
         info.stages = stages;
         info.fullscreen = true;
-        info.threads[0] = info.threads[1] = 8;
+        info.threads[0] = info.threads[1] = 16; // 8x8 takes a GPU almost twice as long
         info.threads[2] = 1;
         info.pixelsPerThread[0] = info.pixelsPerThread[1] = 1;
         info.bindings = bindings;

@@ -32,7 +32,8 @@ reprisec::Reflection reflectionOf(const nlohmann::json& json) {
     reprisec::Reflection reflection;
     for (const auto& b : json.at("bindings"))
         reflection.bindings.push_back({b.at("name"), b.at("binding"), kindNamed(b.at("kind")),
-                                       b.at("samples"), b.at("gathers"), b.at("fetches"), b.at("stores")});
+                                       b.at("samples"), b.at("gathers"), b.at("fetches"), b.at("stores"),
+                                       b.at("scalars")});
     if (const auto& parameters = json.at("parameters"); !parameters.is_null()) {
         reflection.parameterBytes = parameters.at("bytes");
         for (const auto& m : parameters.at("members"))
@@ -119,7 +120,9 @@ reprise::SpirvSource Shaders::source() {
 }
 
 reprisec::Compiled compileText(const std::string& name, const std::string& text, Stage stage) {
-    const char* entry = stage == Stage::compute ? "mainCompute" : "mainFragment";
+    const char* entry = stage == Stage::compute  ? "mainCompute"
+                        : stage == Stage::vertex ? "mainVertex"
+                                                 : "mainFragment";
     return orThrow(reprisec::compileSource({.name = name,
                                             .text = text,
                                             .entry = entry,

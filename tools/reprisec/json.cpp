@@ -32,7 +32,7 @@ const char* kindName(BindingKind kind) {
 ordered_json bindingJson(const BindingUse& use) {
     return {{"name", use.name},       {"binding", use.binding}, {"kind", kindName(use.kind)},
             {"samples", use.samples}, {"gathers", use.gathers}, {"fetches", use.fetches},
-            {"stores", use.stores}};
+            {"stores", use.stores}, {"scalars", use.scalars}};
 }
 
 ordered_json parametersJson(const Reflection& reflection) {

@@ -261,8 +261,9 @@ void Reader::readPass(const toml::table& table) {
     storage_.presets.emplace_back();
 }
 
-// [least, most] weight of history, 0 <= least <= most < 1.
+// [least, most] weight of history, 0 <= least <= most < 1. A preset of a pass without history has none.
 std::pair<float, float> Reader::feedback(const toml::table& table) {
+    if (!table.contains("feedback")) return {};
     const toml::array* pair = need(table, "feedback").as_array();
     const auto number = [&](size_t i) { return pair->get(i)->value<double>().value_or(-1.0); };
     const bool valid = pair != nullptr && pair->size() == 2 && number(0) >= 0.0 && number(0) <= number(1);

@@ -3,7 +3,9 @@
 #include "internal.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
+#include <set>
 
 #include <spirv_cross/spirv.hpp>
 #include <spirv_cross/spirv_cross.hpp>
@@ -99,7 +101,7 @@ void countInstruction(const Instruction& each, UseCounter& counter) {
     if (each.opcode == spv::OpImageFetch || each.opcode == spv::OpImageRead)
         counter.count(w[3], &BindingUse::fetches);
     if (each.opcode == spv::OpImageWrite) counter.count(w[1], &BindingUse::stores);
-    // Of buffers only structured ones are counted; a parameter is no read from memory worth the name.
+    // Of buffers only structured ones are counted here; a ScalarCounter counts parameters.
     if (each.opcode == spv::OpLoad)
         if (BindingUse* found = counter.use(w[3]); found && found->kind == BindingKind::storageBuffer)
             ++found->fetches;
@@ -107,6 +109,64 @@ void countInstruction(const Instruction& each, UseCounter& counter) {
         BindingUse* found = counter.use(w[1]);
         if (found && found->kind == BindingKind::storageBuffer) ++found->stores;
     }
+}
+
+// Which values of a uniform buffer a module reads. A driver drops what nothing uses, a row of a matrix too, so
+// components count where they are used: by an extract or a shuffle, or all of them by anything else.
+struct ScalarCounter {
+    struct Load {
+        std::vector<uint32_t> place; // the indices of the access chain
+        uint32_t rows = 1;           // values per component: 4 where a matrix was multiplied
+        uint32_t mask = 0;
+    };
+    std::map<uint32_t, std::vector<uint32_t>> chains; // by pointer
+    std::map<uint32_t, Load> loads;                   // by value
+    std::map<uint32_t, uint32_t> columns;             // of a type: components of a vector, columns of a matrix
+    uint32_t block = 0;
+
+    void use(uint32_t id, uint32_t mask) {
+        if (const auto found = loads.find(id); found != loads.end()) found->second.mask |= mask;
+    }
+    void visit(const Instruction& each);
+    uint32_t count() const {
+        std::map<std::vector<uint32_t>, std::pair<uint32_t, uint32_t>> places; // loads of one place are one
+        for (const auto& [id, load] : loads) {
+            auto& [mask, rows] = places[load.place];
+            mask |= load.mask;
+            rows = load.rows;
+        }
+        uint32_t total = 0;
+        for (const auto& [place, read] : places)
+            total += static_cast<uint32_t>(std::popcount(read.first)) * read.second;
+        return total;
+    }
+};
+
+void ScalarCounter::visit(const Instruction& each) {
+    const auto& w = each.words;
+    if (each.opcode == spv::OpTypeVector || each.opcode == spv::OpTypeMatrix) columns[w[1]] = w[3];
+    if (each.opcode == spv::OpAccessChain && w[3] == block) chains[w[2]] = {w.begin() + 4, w.end()};
+    if (each.opcode == spv::OpLoad && chains.contains(w[3])) loads[w[2]] = {chains[w[3]], 1, 0};
+    if (each.opcode < spv::OpVectorExtractDynamic && each.opcode != spv::OpExtInst) return;
+    const uint32_t all = w.size() > 1 && columns.contains(w[1]) ? (1u << columns[w[1]]) - 1u : 1u;
+    if (each.opcode == spv::OpCompositeExtract) return use(w[3], 1u << w[4]);
+    if (each.opcode == spv::OpVectorShuffle) {
+        for (size_t i = 5; i < w.size(); ++i)
+            if (w[i] < 4) use(w[3], 1u << w[i]);
+        return;
+    }
+    if (each.opcode == spv::OpMatrixTimesVector || each.opcode == spv::OpVectorTimesMatrix) {
+        const uint32_t matrix = each.opcode == spv::OpMatrixTimesVector ? w[3] : w[4];
+        // The product stands for its matrix: a component of it that nothing uses is a row not read.
+        if (const auto found = loads.find(matrix); found != loads.end()) {
+            Load product = found->second;
+            product.rows = 4;
+            loads[w[2]] = std::move(product);
+        }
+        return;
+    }
+    for (size_t i = 3; i < w.size(); ++i)
+        use(w[i], all);
 }
 
 void addBindings(const sx::Compiler& compiler, const sx::SmallVector<sx::Resource>& resources,
@@ -147,8 +207,15 @@ Result<Reflection> reflectModule(const Words& module, Stage stage) {
     for (auto& [id, use] : found)
         counter.variables[id] = &use;
     forEachInstruction(module, [&](const Instruction& each) { countInstruction(each, counter); });
-    for (auto& [id, use] : found)
+    for (auto& [id, use] : found) {
+        if (use.kind == BindingKind::uniformBuffer) {
+            ScalarCounter scalars;
+            scalars.block = id;
+            forEachInstruction(module, [&](const Instruction& each) { scalars.visit(each); });
+            use.scalars = scalars.count();
+        }
         result.bindings.push_back(use);
+    }
     std::ranges::sort(result.bindings, {}, &BindingUse::binding);
     if (auto checked = checkDistinct(result.bindings); !checked) return checked.error();
     for (const auto& block : resources.uniform_buffers)

@@ -41,6 +41,7 @@ struct BindingUse {
     uint32_t binding = 0;
     reprise::BindingKind kind{};
     uint32_t samples = 0, gathers = 0, fetches = 0, stores = 0;
+    uint32_t scalars = 0;      // of a uniform buffer: how many of its 32-bit values are read
 };
 
 struct ParameterMember {
