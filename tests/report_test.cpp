@@ -175,7 +175,8 @@ TEST(Floors, ofTheObjectPassReadsItsPalettesAndVertices) {
             ASSERT_TRUE(reprise::setSwitch(*variant, "SKINNING", "on"));
         }
         for (const Stage stage : {Stage::vertex, Stage::fragment}) {
-            const auto pass = reprisec::compile(pack(), *variant, stage, {.glsl = false, .platformSwitches = {}});
+            const auto pass =
+                reprisec::compile(pack(), *variant, stage, {.glsl = false, .platformSwitches = {}});
             ASSERT_TRUE(pass) << pass.error().message;
             const auto floor = compileText("floor", objectFloorSource(skinned), stage);
             std::set<uint32_t> expected, found;

@@ -34,11 +34,14 @@ public:
     void addFloors(reprise::Stage stage, harness::Image& source);
     // A pass and its own floor. Adding one twice is adding it once. `data` must outlive run().
     void addPass(const reprise::Variant& variant, reprise::Stage stage, const PassData& data);
+    // Anything else, by a name of its own.
+    void addSection(std::string name, std::function<void(VkCommandBuffer)> record);
     // One untimed round, then `rounds`.
     void run(uint32_t rounds, Progress& progress, double workPerRound);
 
     std::vector<Floor> floors() const;
     const Timing& floorOf(std::string_view kind, reprise::Stage stage) const; // "copy", "nine taps"
+    Timing timing(const std::string& name) const; // of the section
     PassTiming passOf(const reprise::Variant& variant, reprise::Stage stage) const;
 
 private:
@@ -47,8 +50,6 @@ private:
         std::function<void(VkCommandBuffer)> record;
         std::vector<double> samples;
     };
-    void addSection(std::string name, std::function<void(VkCommandBuffer)> record);
-    Timing timing(const std::string& name) const;
     harness::Image& output(size_t slot, VkFormat format);
 
     harness::Gpu& gpu_;

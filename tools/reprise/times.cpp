@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment.hpp"
+#include "object_times.hpp"
 
 #include "reprise/camera.hpp"
 
 #include <algorithm>
-#include <array>
+#include <functional>
 
 namespace report {
 namespace {
@@ -86,14 +87,18 @@ std::vector<Shaders::Request> variantsOf(const Plan& plan, const reprisec::Pack&
     return result;
 }
 
+void addTimes(Row& row, const Timing& pass, const Timing& floor) {
+    row.gpu = pass;
+    row.floorMs = floor.median;
+    row.efficiency = floor.median / pass.median;
+    row.passes = {{row.technique, pass.median}};
+}
+
 void addTimes(Row& row, const Stopwatch& watch, const PassTiming& timing, Stage stage) {
-    row.gpu = timing.gpu;
-    row.floorMs = timing.floor.median;
-    row.efficiency = timing.floor.median / timing.gpu.median;
+    addTimes(row, timing.gpu, timing.floor);
     row.perNineTaps = timing.gpu.median / watch.floorOf("nine taps", stage).median;
     row.perCopy = timing.gpu.median / watch.floorOf("copy", stage).median;
     row.readsPerPixel = timing.readsPerPixel;
-    row.passes = {{row.technique, timing.gpu.median}};
 }
 
 std::string lowerSwitches(const Variant& variant) {
@@ -105,13 +110,14 @@ std::string lowerSwitches(const Variant& variant) {
     return text;
 }
 
-// A variant of a velocity pass without a row: its data is of another kind than the scene's, so it is timed
-// only.
-Row timeOnlyRow(const Plan& plan, const Variant& variant, Stage stage) {
+// A variant of a velocity pass without a row, because its data is of another kind than the scene's or because
+// it shares the error of another: it is timed only.
+Row timeOnlyRow(const Plan& plan, const Variant& variant, Stage stage, const std::string& scene) {
     Row row;
     row.technique = variant.pass->name;
     row.variant = lowerSwitches(variant);
-    row.scene = sceneToTime(plan).name;
+    row.scene = scene;
+    row.file = reprise::spirvFileName(variant, stage);
     row.stage = stageText(stage);
     row.width = plan.timingSize.width;
     row.height = plan.timingSize.height;
@@ -121,11 +127,26 @@ Row timeOnlyRow(const Plan& plan, const Variant& variant, Stage stage) {
     return row;
 }
 
+// Times go into every row of the variant, in `scene` alone if `ofScene`; a variant without a row gets one.
+void fillRows(Experiment& e, const Variant& variant, Stage stage, const std::string& scene, bool ofScene,
+              const std::function<void(Row&)>& fill) {
+    const std::string file = reprise::spirvFileName(variant, stage);
+    bool found = false;
+    for (Row& row : e.report.rows) {
+        const bool same =
+            row.file == file && row.stage == stageText(stage) && (!ofScene || row.scene == scene);
+        if (same) fill(row);
+        found = found || same;
+    }
+    if (found) return;
+    e.report.rows.push_back(timeOnlyRow(e.plan, variant, stage, scene));
+    fill(e.report.rows.back());
+}
+
 } // namespace
 
 void measureTimes(Experiment& e) {
     const auto requests = variantsOf(e.plan, e.shaders.pack());
-    if (requests.empty()) return;
     e.shaders.prepare(requests);
     TimedFrame timed = renderTimedFrame(e);
     bindImages(timed);
@@ -134,23 +155,17 @@ void measureTimes(Experiment& e) {
         watch.addFloors(stage, timed.frames[1].colour);
     for (const auto& [variant, stage] : requests)
         watch.addPass(variant, stage, timed.data);
+    const auto objects = addObjectSections(e, watch, timedFrame);
     watch.run(e.plan.rounds, e.progress, workPerTimingRound);
     e.report.floors = watch.floors();
-    for (const auto& [variant, stage] : requests) {
-        const std::string file = reprise::spirvFileName(variant, stage);
-        const PassTiming timing = watch.passOf(variant, stage);
-        bool found = false;
-        for (Row& row : e.report.rows) {
-            const bool same = row.file == file && row.stage == stageText(stage);
-            if (same) addTimes(row, watch, timing, stage);
-            found = found || same;
-        }
-        if (found) continue;
-        Row row = timeOnlyRow(e.plan, variant, stage);
-        row.file = file;
-        addTimes(row, watch, timing, stage);
-        e.report.rows.push_back(std::move(row));
-    }
+    const std::string scene = sceneToTime(e.plan).name;
+    for (const auto& [variant, stage] : requests)
+        fillRows(e, variant, stage, scene, false,
+                 [&](Row& row) { addTimes(row, watch, watch.passOf(variant, stage), stage); });
+    for (const ObjectSection& section : objects)
+        fillRows(e, section.variant, Stage::fragment, section.scene, true, [&](Row& row) {
+            addTimes(row, watch.timing(section.name), watch.timing(section.floorName));
+        });
 }
 
 } // namespace report
