@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -99,6 +100,11 @@ scenes::Scene findScene(const std::string& nameOrFile) {
     auto loaded = scenes::loadScene(file);
     if (!loaded) throw std::runtime_error(loaded.error().message);
     return std::move(*loaded);
+}
+
+void printNotes(const scenes::Scene& scene) {
+    for (const std::string& note : scene.notes)
+        fmt::print(stderr, "{}: {}\n", scene.name, note);
 }
 
 Plan makePlan(const ReportOptions& options, const reprisec::Pack& pack) {

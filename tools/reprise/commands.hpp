@@ -15,7 +15,7 @@
 namespace report {
 
 struct ReportOptions {
-    bool quick = false, timingOnly = false, fresh = false;
+    bool quick = false, timingOnly = false, fresh = false, allRows = false;
     std::vector<std::string> scenes; // names of built-in ones, or files
     std::string technique;           // empty: all
     std::string size;                // "1280x720", empty: the defaults
@@ -48,6 +48,8 @@ Size parseSize(const std::string& text);
 std::vector<reprise::Stage> parseStages(const std::string& text);
 // A built-in scene's name, or a file.
 scenes::Scene findScene(const std::string& nameOrFile);
+// What a file asked for and did not get, on stderr.
+void printNotes(const scenes::Scene& scene);
 reprise::FramePlan makeFramePlan(Shaders& shaders, const reprise::SceneNeeds& needs,
                                  const reprise::Settings& settings,
                                  Size size); // throws the runtime's sentence

@@ -29,6 +29,7 @@ void addReport(CLI::App& app, ReportOptions& o, std::function<void()>& run) {
         ->capture_default_str();
     command->add_flag("--timing-only", o.timingOnly, "Times without errors, for large sizes");
     command->add_flag("--fresh", o.fresh, "Compile every variant from its HLSL, whatever generated/ holds");
+    command->add_flag("--all-rows", o.allRows, "Print every row, not only presets and the front");
     command->callback([&] { run = [&o] { reportCommand(o); }; });
 }
 

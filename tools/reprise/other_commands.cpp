@@ -163,6 +163,7 @@ void renderCommand(const RenderOptions& options) {
     if (options.frame < 0) throw std::runtime_error("--frame must be 0 or more");
     const Size size = parseSize(options.size);
     const scenes::Scene scene = findScene(options.scene);
+    printNotes(scene);
     harness::Gpu gpu({.device = options.device});
     scenes::Renderer renderer(gpu, scene, size.width, size.height);
     Picture picture{size.width, size.height, {}};

@@ -22,7 +22,10 @@ std::string sizeText(Size size) {
 Json settingsJson(const Plan& plan, const reprisec::Pack& pack, bool quick) {
     Json scenes = Json::array(), presets = Json::array(), stages = Json::array();
     for (const scenes::Scene& scene : plan.scenes)
-        scenes.push_back({{"name", scene.name}, {"shows", scene.shows}, {"cut_frame", scene.cutFrame}});
+        scenes.push_back({{"name", scene.name},
+                          {"shows", scene.shows},
+                          {"cut_frame", scene.cutFrame},
+                          {"notes", scene.notes}});
     for (const auto& preset : pack.presets("temporal_aa"))
         presets.push_back(preset.name);
     for (reprise::Stage stage : plan.stages)
@@ -55,22 +58,40 @@ void printRow(const Row& r) {
                cell(r.error.flicker, 4), r.pareto.value_or(false) ? "  front" : "");
 }
 
-void printReport(const Report& report) {
+// What a reader of the terminal wants first; the files always have all.
+bool isChief(const Row& row, const reprisec::Pack& pack) {
+    if (row.pareto.value_or(false) || row.variant == "none" || row.technique != "temporal_aa") return true;
+    const auto presets = pack.presets("temporal_aa");
+    return std::any_of(presets.begin(), presets.end(), [&](const auto& p) { return p.name == row.variant; });
+}
+
+void printRows(const Report& report, const reprisec::Pack& pack, bool all) {
     fmt::print("{:<15} {:<38} {:<9} {:>9} {:>6} {:>5} {:>8} {:>8} {:>8}\n", "scene", "variant", "stage", "ms",
                "/nine", "eff.", "FLIP", "RMSE", "flicker");
-    for (const Row& row : report.rows)
-        printRow(row);
+    size_t left = 0;
+    for (const Row& row : report.rows) {
+        if (all || isChief(row, pack))
+            printRow(row);
+        else
+            ++left;
+    }
+    if (left > 0) fmt::print("{} more rows: --all-rows prints them, the files have them\n", left);
+}
+
+std::string_view verdict(const Claim& claim) {
+    if (claim.holds) return *claim.holds ? "holds" : "does not hold";
+    return claim.measured.is_object() && claim.measured.contains("not applicable") ? "not applicable"
+                                                                                   : "not measured";
+}
+
+void printReport(const Report& report) {
     fmt::print("\n");
     for (const Floor& floor : report.floors)
         fmt::print("floor {:<22} {:>9.3f} ms {:>8.2f} ns/pixel\n", floor.name, floor.gpu.median,
                    floor.nsPerPixel);
     fmt::print("\n");
     for (const Claim& claim : report.claims)
-        fmt::print("{:<16} {:<14} {}\n", claim.id,
-                   !claim.holds   ? "not measured"
-                   : *claim.holds ? "holds"
-                                  : "does not hold",
-                   claim.claim);
+        fmt::print("{:<16} {:<14} {}\n", claim.id, verdict(claim), claim.claim);
 }
 
 void measure(Experiment& e) {
@@ -100,8 +121,7 @@ void reportCommand(const ReportOptions& options) {
     report.device = deviceJson(gpu);
     report.settings = settingsJson(plan, shaders.pack(), options.quick);
     for (const scenes::Scene& scene : plan.scenes)
-        for (const std::string& note : scene.notes)
-            fmt::print(stderr, "{}: {}\n", scene.name, note);
+        printNotes(scene);
     Progress progress(plannedWork(plan, shaders));
     Experiment experiment{gpu, shaders, plan, progress, report};
     measure(experiment);
@@ -109,6 +129,7 @@ void reportCommand(const ReportOptions& options) {
     markPareto(report.rows);
     report.claims = judgeClaims(report, plan);
     writeReport(report, options.out);
+    printRows(report, shaders.pack(), options.allRows);
     printReport(report);
     fmt::print("\n{}\n", (std::filesystem::absolute(options.out) / "index.html").lexically_normal().string());
     if (const uint64_t bad = countNotFinite(report); bad > 0)

@@ -144,13 +144,14 @@ function drawSummary() {
 function drawClaims() {
   const text = value => value === null ? "" : typeof value === "object" ?
     Object.entries(value).map(([k, v]) => `${k} ${typeof v === "number" ? number(v) : v}`).join(", ") : String(value);
-  const holds = v => v === null ? "<td>not measured</td>" : v ? "<td class='good'>holds</td>" :
+  const holds = c => c.holds === null ?
+    `<td>${c.measured && c.measured["not applicable"] ? "not applicable" : "not measured"}</td>` : c.holds ? "<td class='good'>holds</td>" :
     "<td class='bad'>does not hold</td>";
   byId("claims").innerHTML = "<tr><th>id</th><th class='text'>claim</th><th class='text'>published</th>" +
     "<th class='text'>measured</th><th></th></tr>" + report.claims.map(c =>
     `<tr><td>${escapeHtml(c.id)}</td><td class="wrap">${escapeHtml(c.claim)}</td>` +
     `<td class="wrap">${escapeHtml(c.published || "")}</td><td class="wrap">${escapeHtml(text(c.measured))}</td>` +
-    `${holds(c.holds)}</tr>`).join("");
+    `${holds(c)}</tr>`).join("");
 }
 
 function drawFloorsAndSettings() {
