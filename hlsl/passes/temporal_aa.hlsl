@@ -206,11 +206,6 @@ static const int COLUMN = 6;   // pixels_per_thread of the table
 [[vk::binding(17)]] RWTexture2D<float4> gOutColour;
 #endif
 
-// Three texels beside each other; `right` is the one on the outer side where a quad shares.
-struct ColourRow {
-    float3 left, centre, right;
-};
-
 ColourRow readColourRow(float2 uv, float2 side) {
     ColourRow row;
     row.centre = readColour(uv);
@@ -222,20 +217,6 @@ ColourRow readColourRow(float2 uv, float2 side) {
     row.left = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, -1, 0).rgb);
 #endif
     return row;
-}
-
-Neighbourhood neighbourhoodOf(ColourRow up, ColourRow own, ColourRow down) {
-    Neighbourhood n;
-    n.leftUp = up.left;
-    n.up = up.centre;
-    n.rightUp = up.right;
-    n.left = own.left;
-    n.centre = own.centre;
-    n.right = own.right;
-    n.leftDown = down.left;
-    n.down = down.centre;
-    n.rightDown = down.right;
-    return n;
 }
 
 // Depths of two rows, the first at uv: left, centre and right in xyz, mirrored as in a ColourRow.
@@ -254,20 +235,6 @@ void readDepthRows(float2 uv, float2 side, out float3 upper, out float3 lower) {
     upper = float3(left.w, left.z, right.z);
     lower = float3(left.x, left.y, right.y);
 #endif
-}
-
-DepthSquare depthSquareOf(float3 up, float3 own, float3 down) {
-    DepthSquare d;
-    d.leftUp = up.x;
-    d.up = up.y;
-    d.rightUp = up.z;
-    d.left = own.x;
-    d.centre = own.y;
-    d.right = own.z;
-    d.leftDown = down.x;
-    d.down = down.y;
-    d.rightDown = down.z;
-    return d;
 }
 
 void write(uint2 pixel, Resolved resolved) {

@@ -13,6 +13,21 @@ struct DepthSquare {
     float leftUp, rightUp, leftDown, rightDown;
 };
 
+// From three rows, left, centre and right in xyz.
+DepthSquare depthSquareOf(float3 up, float3 own, float3 down) {
+    DepthSquare d;
+    d.leftUp = up.x;
+    d.up = up.y;
+    d.rightUp = up.z;
+    d.left = own.x;
+    d.centre = own.y;
+    d.right = own.z;
+    d.leftDown = down.x;
+    d.down = down.y;
+    d.rightDown = down.z;
+    return d;
+}
+
 // Depth in x and offset in y of the closest in a row; the centre wins against equals.
 float2 closestInRow(float left, float centre, float right) {
     float2 side = isCloser(right, left) ? float2(right, 1.0) : float2(left, -1.0);

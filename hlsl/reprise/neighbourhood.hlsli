@@ -11,6 +11,25 @@ struct Neighbourhood {
     float3 leftUp, rightUp, leftDown, rightDown;
 };
 
+// Three texels beside each other. In a mirrored row `right` is the outer one.
+struct ColourRow {
+    float3 left, centre, right;
+};
+
+Neighbourhood neighbourhoodOf(ColourRow up, ColourRow own, ColourRow down) {
+    Neighbourhood n;
+    n.leftUp = up.left;
+    n.up = up.centre;
+    n.rightUp = up.right;
+    n.left = own.left;
+    n.centre = own.centre;
+    n.right = own.right;
+    n.leftDown = down.left;
+    n.down = down.centre;
+    n.rightDown = down.right;
+    return n;
+}
+
 struct ColourBox {
     float3 minimum, maximum;
 };
