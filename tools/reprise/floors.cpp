@@ -74,8 +74,9 @@ std::string readsOf(const reprise::PassInfo& pass, const BindingUse& use, const 
 std::string parametersRead(const reprisec::Reflection& reflection) {
     std::string text;
     for (const BindingUse& use : reflection.bindings)
-        for (uint32_t i = 0; i < use.scalars; ++i)
-            text += fmt::format("    sum.{1} += gParameters[{0}].{1};\n", i / 4, "xyzw"[i % 4]);
+        for (uint32_t i = 0; i < use.scalars; i += 4)
+            text += fmt::format("    sum.{1} += gParameters[{0}].{1};\n", i / 4,
+                                std::string_view("xyzw").substr(0, use.scalars - i));
     return text;
 }
 
