@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-# reprise_add_pack(TARGET SCENE needs.toml [TARGETS spirv glsl450 glsles json] [DIRECTORY dir])
+# reprise_add_pack(TARGET SCENE needs.toml [TARGETS spirv glsl450 glsles json] [DIRECTORY dir]
+#                  [DEFINES NDC_AND_UV_SHARE_Y=1 ...])
 #
 # Compiles the modules that the plan of a scene can ask for, and no others, into DIRECTORY (by default TARGET
 # in the current binary directory): PASS/VARIANT.STAGE.spv and so on, as spirvFromDirectory reads them.
 # needs.toml has the fields of SceneNeeds under [needs] and those of Settings under [settings]; see
 # reprise/plan.hpp. TARGETS is what must exist; spirv by default. A target that cannot be expressed stops the
-# build with the reason. The target's property REPRISE_PACK_DIRECTORY holds the directory.
+# build with the reason. DEFINES sets platform switches of the table, 0 otherwise. The target's property REPRISE_PACK_DIRECTORY holds the directory.
 #
 # With an installed Reprise each module has a command of its own, so that touching one header compiles again
 # only what includes it. Inside Reprise's own build the compiler does not exist yet when CMake runs: there one
@@ -13,7 +14,7 @@
 include_guard(GLOBAL)
 
 function(reprise_add_pack target)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "SCENE;DIRECTORY" "TARGETS")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "SCENE;DIRECTORY" "TARGETS;DEFINES")
     if(NOT arg_SCENE)
         message(FATAL_ERROR "reprise_add_pack(${target}): name a needs.toml after SCENE.")
     endif()
@@ -31,6 +32,8 @@ function(reprise_add_pack target)
         message(FATAL_ERROR "reprise_add_pack(${target}): there is no ${scene}.")
     endif()
     set(pack "${Reprise_HLSL_DIR}/pack.toml")
+    set(defines ${arg_DEFINES})
+    list(TRANSFORM defines PREPEND "--define;")
     if(TARGET Reprise::reprisec)
         _reprise_command_per_module("${target}" "${scene}" "${arg_DIRECTORY}" "${arg_TARGETS}" outputs)
     else()
@@ -74,7 +77,7 @@ function(_reprise_command_per_module target scene directory targets outputs)
         add_custom_command(
             OUTPUT ${files}
             COMMAND Reprise::reprisec --pack "${pack}" --out "${directory}" --variant "${variant}"
-                    --stage "${stage}" --targets ${targets} --jobs 1 --depfile "${first}.d"
+                    --stage "${stage}" --targets ${targets} ${defines} --jobs 1 --depfile "${first}.d"
             DEPENDS Reprise::reprisec
             DEPFILE "${first}.d"
             COMMENT "Compiling ${variant} (${stage})"
@@ -89,7 +92,7 @@ function(_reprise_one_command target scene directory targets outputs)
     add_custom_command(
         OUTPUT "${stamp}"
         COMMAND reprisec --pack "${pack}" --out "${directory}" --needs "${scene}" --targets ${targets}
-                --depfile "${stamp}.d" --stamp "${stamp}"
+                ${defines} --depfile "${stamp}.d" --stamp "${stamp}"
         DEPENDS reprisec "${scene}"
         DEPFILE "${stamp}.d"
         COMMENT "Compiling the modules of ${target}"

@@ -160,8 +160,10 @@ Resolved resolve(float2 uv, float2 motion, float3 history, float3 current, Colou
     resolved.history = fromWorkingSpace(blendHistory(current, history, weight));
     resolved.colour = resolved.history;
 #if MOTION_BLUR_FALLBACK
-    // Fast fragments show no history at all: it trails where no neighbour forces it out.
+    // Fast fragments show no history at all: it trails where no neighbour forces it out. Without history, as
+    // after a camera cut, motion leads nowhere and there is nothing to conceal.
     float trust = motionBlurTrust(length(motion * gOutputSize.xy), gBlurFromPx, gBlurToPx);
+    trust = gHistoryValid > 0.0 ? trust : 1.0;
     float2 unjitteredUv = uv + gJitterPx * gOutputSize.zw;
     float3 blurred = sampleMotion(TEXTURE_ARGUMENT(gInColourFiltered), unjitteredUv, motion);
     resolved.colour = lerp(blurred, resolved.history, trust);

@@ -224,7 +224,7 @@ inline TemporalAaPixel temporalAa(const TemporalAa& taa, int x, int y, Disturban
     pixel.colour = pixel.history;
     if (taa.motionBlur) {
         double trust = motionBlurTrust(glm::length(motion * extent), taa.blurFromPx, taa.blurToPx);
-        trust = std::clamp(disturb(trust, roundings), 0.0, 1.0);
+        trust = taa.historyValid > 0.0 ? std::clamp(disturb(trust, roundings), 0.0, 1.0) : 1.0;
         dvec3 blurred = blurredAt(taa, uv + taa.jitterPx / extent, motion, disturb);
         pixel.colour = blurred * (1.0 - trust) + pixel.history * trust;
     }

@@ -179,7 +179,7 @@ std::vector<Offset> readOffsets(uint32_t count, const uint32_t (&pixelsPerThread
 double readsPerPixel(const reprise::Variant& variant, Stage stage, const reprisec::Reflection& reflection) {
     uint32_t reads = 0;
     for (const BindingUse& use : reflection.bindings)
-        reads += use.samples + use.gathers + use.fetches;
+        if (use.kind == BindingKind::sampledImage) reads += use.samples + use.gathers + use.fetches;
     const auto& pixels = variant.pass->pixelsPerThread;
     return static_cast<double>(reads) / (stage == Stage::compute ? pixels[0] * pixels[1] : 1u);
 }

@@ -16,7 +16,7 @@ using namespace reprisec;
 
 struct Arguments {
     std::string pack = "hlsl/pack.toml", out = "generated", pass, needs, stage, depfile, stamp;
-    std::vector<std::string> variants, targets;
+    std::vector<std::string> variants, targets, defines;
     unsigned jobs = std::max(std::thread::hardware_concurrency(), 1u);
     bool check = false, list = false, listOutputs = false;
 };
@@ -43,6 +43,8 @@ void addOptions(CLI::App& app, Arguments& arguments) {
     app.add_option("--stamp", arguments.stamp, "Write an empty file at the end; the depfile's target");
     app.add_flag("--list-outputs", arguments.listOutputs,
                  "Compile nothing; print VARIANT STAGE PATH for each module, for a build system");
+    app.add_option("--define", arguments.defines,
+                   "Set a platform switch of the table, e.g. NDC_AND_UV_SHARE_Y=1; repeatable");
     app.add_option("--jobs", arguments.jobs, "Threads")->check(CLI::Range(1u, 1024u))->capture_default_str();
     app.add_flag("--check", arguments.check, "Write nothing; fail if the output directory is not up to date");
 }
@@ -153,10 +155,24 @@ int write(const Arguments& arguments, const Pack& pack, const std::vector<Produc
     return 0;
 }
 
+Result<std::map<std::string, int>> platformSwitches(const std::vector<std::string>& defines) {
+    std::map<std::string, int> switches;
+    for (const std::string& define : defines) {
+        const size_t equals = define.find('=');
+        const std::string value = equals == std::string::npos ? "1" : define.substr(equals + 1);
+        if (value != "0" && value != "1")
+            return Error{ErrorCode::invalidArgument, "--define " + define + ": a switch is 0 or 1"};
+        switches[define.substr(0, equals)] = value == "1";
+    }
+    return switches;
+}
+
 Result<std::vector<Product>> compileWithProgress(const Arguments& arguments, const Pack& pack,
                                                  const std::vector<Job>& jobs) {
+    auto switches = platformSwitches(arguments.defines);
+    if (!switches) return switches.error();
     const bool interactive = isatty(fileno(stderr));
-    return compileAll(pack, jobs, arguments.jobs, [&](size_t done, const Job&) {
+    return compileAll(pack, jobs, *switches, arguments.jobs, [&](size_t done, const Job&) {
         if (interactive)
             fmt::print(stderr, "\rcompiling {}/{}{}", done, jobs.size(), done == jobs.size() ? "\n" : "");
     });

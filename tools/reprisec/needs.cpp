@@ -119,16 +119,11 @@ void add(std::vector<Job>& jobs, const Variant& variant, Stage stage) {
     if (std::ranges::none_of(jobs, same)) jobs.push_back(job);
 }
 
-} // namespace
-
-Result<std::vector<Job>> jobsForNeeds(const Pack& pack, const fs::path& needsToml) {
-    Scene scene;
-    if (auto read = readScene(needsToml, scene); !read) return read.error();
+Result<void> addPlan(std::vector<Job>& jobs, const Pack& pack, const Scene& scene) {
     // Which modules there are does not depend on the extent.
     auto plan =
         reprise::plan(pack.passes(), pack.presets("temporal_aa"), scene.needs, scene.settings, {64, 64});
-    if (!plan) return Error{plan.error().code, needsToml.string() + ":1: " + plan.error().message};
-    std::vector<Job> jobs;
+    if (!plan) return plan.error();
     for (const reprise::PlannedPass& planned : plan->passes) {
         const auto& stages = planned.variant.pass->stages;
         add(jobs, planned.variant, planned.stage);
@@ -140,6 +135,21 @@ Result<std::vector<Job>> jobsForNeeds(const Pack& pack, const fs::path& needsTom
             if (!triangle) return triangle.error();
             add(jobs, *triangle, Stage::vertex);
         }
+    }
+    return {};
+}
+
+} // namespace
+
+Result<std::vector<Job>> jobsForNeeds(const Pack& pack, const fs::path& needsToml) {
+    Scene scene;
+    if (auto read = readScene(needsToml, scene); !read) return read.error();
+    std::vector<Job> jobs;
+    // What the plan asks of a device with quad operations, and of one without.
+    for (const bool quadOperations : {true, false}) {
+        scene.settings.quadOperations = quadOperations;
+        if (auto added = addPlan(jobs, pack, scene); !added)
+            return Error{added.error().code, needsToml.string() + ":1: " + added.error().message};
     }
     return jobs;
 }

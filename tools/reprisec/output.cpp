@@ -98,7 +98,8 @@ std::vector<Job> committedJobs(const Pack& pack, std::string_view pass) {
     return jobs;
 }
 
-Result<std::vector<Product>> compileAll(const Pack& pack, const std::vector<Job>& jobs, unsigned threads,
+Result<std::vector<Product>> compileAll(const Pack& pack, const std::vector<Job>& jobs,
+                                        const std::map<std::string, int>& platformSwitches, unsigned threads,
                                         const std::function<void(size_t, const Job&)>& progress) {
     std::vector<std::optional<Result<Compiled>>> results(jobs.size());
     std::atomic<size_t> next = 0;
@@ -106,7 +107,8 @@ Result<std::vector<Product>> compileAll(const Pack& pack, const std::vector<Job>
     size_t done = 0;
     const auto work = [&] {
         for (size_t i = next++; i < jobs.size(); i = next++) {
-            results[i] = compile(pack, jobs[i].variant, jobs[i].stage);
+            results[i] = compile(pack, jobs[i].variant, jobs[i].stage,
+                                 {.glsl = true, .platformSwitches = platformSwitches});
             const std::lock_guard lock(mutex);
             progress(++done, jobs[i]);
         }

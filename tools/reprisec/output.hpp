@@ -29,7 +29,8 @@ Result<std::vector<Job>> jobsForNeeds(const Pack& pack, const fs::path& needsTom
 fs::path outputPath(const Job& job, Target target);
 
 // `progress` is called from one thread at a time with the number done. All errors come back, one a line.
-Result<std::vector<Product>> compileAll(const Pack& pack, const std::vector<Job>& jobs, unsigned threads,
+Result<std::vector<Product>> compileAll(const Pack& pack, const std::vector<Job>& jobs,
+                                        const std::map<std::string, int>& platformSwitches, unsigned threads,
                                         const std::function<void(size_t, const Job&)>& progress);
 Files filesOf(const Pack& pack, const std::vector<Product>& products, const std::set<Target>& targets);
 

@@ -117,6 +117,7 @@ struct ScalarCounter {
     struct Load {
         std::vector<uint32_t> place; // the indices of the access chain
         uint32_t rows = 1;           // values per component: 4 where a matrix was multiplied
+        uint32_t width = 1;          // components
         uint32_t mask = 0;
     };
     std::map<uint32_t, std::vector<uint32_t>> chains; // by pointer
@@ -125,9 +126,14 @@ struct ScalarCounter {
     uint32_t block = 0;
 
     void use(uint32_t id, uint32_t mask) {
-        if (const auto found = loads.find(id); found != loads.end()) found->second.mask |= mask;
+        const auto found = loads.find(id);
+        if (found != loads.end()) found->second.mask |= mask & ((1u << found->second.width) - 1u);
     }
     void visit(const Instruction& each);
+    uint32_t width(uint32_t type) const {
+        const auto found = columns.find(type);
+        return found == columns.end() ? 1 : found->second;
+    }
     uint32_t count() const {
         std::map<std::vector<uint32_t>, std::pair<uint32_t, uint32_t>> places; // loads of one place are one
         for (const auto& [id, load] : loads) {
@@ -146,9 +152,8 @@ void ScalarCounter::visit(const Instruction& each) {
     const auto& w = each.words;
     if (each.opcode == spv::OpTypeVector || each.opcode == spv::OpTypeMatrix) columns[w[1]] = w[3];
     if (each.opcode == spv::OpAccessChain && w[3] == block) chains[w[2]] = {w.begin() + 4, w.end()};
-    if (each.opcode == spv::OpLoad && chains.contains(w[3])) loads[w[2]] = {chains[w[3]], 1, 0};
+    if (each.opcode == spv::OpLoad && chains.contains(w[3])) loads[w[2]] = {chains[w[3]], 1, width(w[1]), 0};
     if (each.opcode < spv::OpVectorExtractDynamic && each.opcode != spv::OpExtInst) return;
-    const uint32_t all = w.size() > 1 && columns.contains(w[1]) ? (1u << columns[w[1]]) - 1u : 1u;
     if (each.opcode == spv::OpCompositeExtract) return use(w[3], 1u << w[4]);
     if (each.opcode == spv::OpVectorShuffle) {
         for (size_t i = 5; i < w.size(); ++i)
@@ -161,12 +166,13 @@ void ScalarCounter::visit(const Instruction& each) {
         if (const auto found = loads.find(matrix); found != loads.end()) {
             Load product = found->second;
             product.rows = 4;
+            product.width = width(w[1]);
             loads[w[2]] = std::move(product);
         }
         return;
     }
     for (size_t i = 3; i < w.size(); ++i)
-        use(w[i], all);
+        use(w[i], 0xf);
 }
 
 void addBindings(const sx::Compiler& compiler, const sx::SmallVector<sx::Resource>& resources,
