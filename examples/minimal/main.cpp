@@ -30,7 +30,6 @@ reprise::Result<reprise::FrameRecorder> makeRecorder(const Engine& engine, const
     reprise::FrameRecorder::CreateInfo info;
     info.needs.engineWritesMotion = true; // so there is no velocity pass
     info.needs.hdr = false;
-    info.settings.overrides = {{"QUAD_SHARING", "off"}}; // for devices without quad operations too
     info.extent = {width, height};
     return reprise::FrameRecorder::create(*device, reprise::packPasses(),
                                           reprise::spirvFromDirectory(packDirectory), info);

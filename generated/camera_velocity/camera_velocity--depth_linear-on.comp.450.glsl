@@ -26,9 +26,8 @@ void main()
         vec2 _73 = fma(_62, parameters.gOutputSize.zw, -parameters.gJitterUv);
         vec4 _85 = parameters.gReprojection * vec4(fma(_73, parameters.gViewRay.xy, parameters.gViewRay.zw) * _69, _69, 1.0);
         float _86 = _85.w;
-        bool _87 = _86 > 0.0;
-        vec2 _92 = fma(_85.xy / vec2(_87 ? _86 : 1.0), vec2(0.5, -0.5), vec2(0.5));
-        imageStore(gOutVelocity, ivec2(gl_GlobalInvocationID.xy), vec4(_73 - mix(vec2(-8.0), _92, bvec2(_87 && all(lessThanEqual(abs(_92), vec2(8.0))))), 0.0, 0.0));
+        vec2 _91 = fma(_85.xy * (1.0 / _86), vec2(0.5, -0.5), vec2(0.5));
+        imageStore(gOutVelocity, ivec2(gl_GlobalInvocationID.xy), vec4(_73 - mix(vec2(-8.0), _91, bvec2((_86 > 0.0) && all(lessThanEqual(abs(_91), vec2(8.0))))), 0.0, 0.0));
         break;
     } while(false);
 }

@@ -19,8 +19,7 @@ void main()
     vec2 _58 = fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -parameters.gJitterUv);
     vec4 _70 = parameters.gReprojection * vec4(fma(_58, parameters.gViewRay.xy, parameters.gViewRay.zw) * _54, _54, 1.0);
     float _71 = _70.w;
-    bool _72 = _71 > 0.0;
-    vec2 _77 = fma(_70.xy / vec2(_72 ? _71 : 1.0), vec2(0.5, -0.5), vec2(0.5));
-    gOutVelocity = _58 - mix(vec2(-8.0), _77, bvec2(_72 && all(lessThanEqual(abs(_77), vec2(8.0)))));
+    vec2 _76 = fma(_70.xy * (1.0 / _71), vec2(0.5, -0.5), vec2(0.5));
+    gOutVelocity = _58 - mix(vec2(-8.0), _76, bvec2((_71 > 0.0) && all(lessThanEqual(abs(_76), vec2(8.0)))));
 }
 

@@ -21,9 +21,8 @@ void main()
     vec2 _58 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-parameters.gJitterUv);
     vec4 _70 = parameters.gReprojection * vec4((_58 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _54, _54, 1.0);
     float _71 = _70.w;
-    bool _72 = _71 > 0.0;
-    vec2 _77 = (_70.xy / vec2(_72 ? _71 : 1.0)) * vec2(0.5, -0.5) + vec2(0.5);
-    bvec2 _82 = bvec2(_72 && all(lessThanEqual(abs(_77), vec2(8.0))));
-    gOutVelocity = _58 - vec2(_82.x ? _77.x : vec2(-8.0).x, _82.y ? _77.y : vec2(-8.0).y);
+    vec2 _76 = (_70.xy * (1.0 / _71)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _81 = bvec2((_71 > 0.0) && all(lessThanEqual(abs(_76), vec2(8.0))));
+    gOutVelocity = _58 - vec2(_81.x ? _76.x : vec2(-8.0).x, _81.y ? _76.y : vec2(-8.0).y);
 }
 

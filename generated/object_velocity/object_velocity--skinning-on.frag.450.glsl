@@ -6,10 +6,8 @@ layout(location = 0) out vec2 gOutVelocity;
 
 void main()
 {
-    bool _29 = varying0.w > 0.0;
-    vec2 _34 = fma(varying0.xy / vec2(_29 ? varying0.w : 1.0), vec2(0.5, -0.5), vec2(0.5));
-    bool _42 = varying1.w > 0.0;
-    vec2 _47 = fma(varying1.xy / vec2(_42 ? varying1.w : 1.0), vec2(0.5, -0.5), vec2(0.5));
-    gOutVelocity = mix(vec2(-8.0), _34, bvec2(_29 && all(lessThanEqual(abs(_34), vec2(8.0))))) - mix(vec2(-8.0), _47, bvec2(_42 && all(lessThanEqual(abs(_47), vec2(8.0)))));
+    vec2 _33 = fma(varying0.xy * (1.0 / varying0.w), vec2(0.5, -0.5), vec2(0.5));
+    vec2 _45 = fma(varying1.xy * (1.0 / varying1.w), vec2(0.5, -0.5), vec2(0.5));
+    gOutVelocity = mix(vec2(-8.0), _33, bvec2((varying0.w > 0.0) && all(lessThanEqual(abs(_33), vec2(8.0))))) - mix(vec2(-8.0), _45, bvec2((varying1.w > 0.0) && all(lessThanEqual(abs(_45), vec2(8.0)))));
 }
 

@@ -8,12 +8,10 @@ layout(location = 0) out vec2 gOutVelocity;
 
 void main()
 {
-    bool _29 = varying0.w > 0.0;
-    vec2 _34 = (varying0.xy / vec2(_29 ? varying0.w : 1.0)) * vec2(0.5, -0.5) + vec2(0.5);
-    bvec2 _39 = bvec2(_29 && all(lessThanEqual(abs(_34), vec2(8.0))));
-    bool _42 = varying1.w > 0.0;
-    vec2 _47 = (varying1.xy / vec2(_42 ? varying1.w : 1.0)) * vec2(0.5, -0.5) + vec2(0.5);
-    bvec2 _52 = bvec2(_42 && all(lessThanEqual(abs(_47), vec2(8.0))));
-    gOutVelocity = vec2(_39.x ? _34.x : vec2(-8.0).x, _39.y ? _34.y : vec2(-8.0).y) - vec2(_52.x ? _47.x : vec2(-8.0).x, _52.y ? _47.y : vec2(-8.0).y);
+    vec2 _33 = (varying0.xy * (1.0 / varying0.w)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _38 = bvec2((varying0.w > 0.0) && all(lessThanEqual(abs(_33), vec2(8.0))));
+    vec2 _45 = (varying1.xy * (1.0 / varying1.w)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _50 = bvec2((varying1.w > 0.0) && all(lessThanEqual(abs(_45), vec2(8.0))));
+    gOutVelocity = vec2(_38.x ? _33.x : vec2(-8.0).x, _38.y ? _33.y : vec2(-8.0).y) - vec2(_50.x ? _45.x : vec2(-8.0).x, _50.y ? _45.y : vec2(-8.0).y);
 }
 

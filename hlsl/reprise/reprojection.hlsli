@@ -15,7 +15,7 @@ static const float2 BEHIND_CAMERA_UV = float2(-8.0, -8.0);
 // reaches a velocity buffer: both comparisons are false for NaN.
 float2 clipToUv(float4 positionCS) {
     bool inFront = positionCS.w > 0.0;
-    float2 uv = ndcToUv(positionCS.xy / (inFront ? positionCS.w : 1.0));
+    float2 uv = ndcToUv(positionCS.xy * (1.0 / positionCS.w));
     return inFront && all(abs(uv) <= 8.0) ? uv : BEHIND_CAMERA_UV;
 }
 

@@ -249,7 +249,7 @@ inline constexpr Condition temporal_aa_preset_best[] = {{"FEEDBACK", "luminance"
 inline constexpr Condition temporal_aa_preset_lean[] = {{"FEEDBACK", "luminance"}, {"MOTION_BLUR_FALLBACK", "off"}, {"QUAD_SHARING", "on"}, {"UNJITTER", "off"}};
 inline constexpr PresetInfo temporal_aa_presets[] = {
     {"inside", "as the document describes it; 0.97 is its published implementation's", {}, 0.880000f, 0.970000f, false},
-    {"best", "the best found on the error-time front", temporal_aa_preset_best, 0.800000f, 0.950000f, true},
+    {"best", "the best found on the error-time front", temporal_aa_preset_best, 0.850000f, 0.950000f, true},
     {"lean", "one target, luminance feedback, shared reads: the form whose speed is published", temporal_aa_preset_lean, 0.880000f, 0.970000f, true},
 };
 inline constexpr PackModule temporal_aa_modules[] = {
