@@ -45,7 +45,7 @@ struct Row {
     uint32_t errorWidth = 0, errorHeight = 0; // of the error
     uint32_t frames = 0;
     std::optional<Timing> gpu;
-    std::optional<double> floorMs, efficiency;  // efficiency = floor / pass
+    std::optional<double> floorMs, efficiency;  // of the fastest runs
     std::optional<double> perNineTaps, perCopy; // time over the floors of the same run and stage
     std::vector<PassTime> passes;
     std::optional<uint64_t> memoryBytes;
