@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
+#include <random>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -126,15 +128,20 @@ void Stopwatch::addPass(const Variant& variant, Stage stage, const PassData& dat
 }
 
 void Stopwatch::run(uint32_t rounds, Progress& progress, double workPerRound) {
-    std::vector<std::function<void(VkCommandBuffer)>> records;
-    for (const Section& section : sections_)
-        records.push_back(section.record);
+    // Each round in another order: what ran before leaves its images in the caches of a GPU.
+    std::mt19937 random(1);
+    std::vector<size_t> order(sections_.size());
+    std::iota(order.begin(), order.end(), size_t{0});
     for (uint32_t round = 0; round <= rounds; ++round) {
+        std::shuffle(order.begin(), order.end(), random);
+        std::vector<std::function<void(VkCommandBuffer)>> records;
+        for (const size_t section : order)
+            records.push_back(sections_[section].record);
         const std::vector<double> times = gpu_.time(records);
         progress.step(workPerRound, "timing");
         if (round == 0) continue; // shaders are compiled by the driver on first use
         for (size_t i = 0; i < times.size(); ++i)
-            sections_[i].samples.push_back(times[i]);
+            sections_[order[i]].samples.push_back(times[i]);
     }
     for (auto& [name, value] : simple_)
         value = timing(name);
