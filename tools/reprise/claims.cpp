@@ -124,7 +124,7 @@ Claim motion(const Judge& judge, std::string id, std::string_view technique, std
     return claim;
 }
 
-// The issue's own bar: better in both measures and no slower on at least four scenes of five.
+// Better in both measures and no slower on at least four scenes of five; a scene with a cut is named apart.
 Claim bestAgainstInside(const Judge& judge) {
     Claim claim{
         "best",
