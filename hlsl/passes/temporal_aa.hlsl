@@ -197,9 +197,9 @@ Resolved resolveFourTap(float2 uv, float2 motion, float3 history) {
 
 // --- Compute: a thread resolves a column of pixels, so that a row of texels is read once for the pixels
 // above, on and below it, and neighbouring threads read neighbouring texels. It is bound by its texture
-// reads, not by its arithmetic. On an H200 2x2 pixels a thread, whose reads lie two texels apart, were slower;
-// group-shared tiles came level with columns that do not share quads, never with those that do. The chain of
-// depth, motion and history goes first, its waits the longest.
+// reads, not by its arithmetic. On an H200 2x2 pixels a thread, whose reads lie two texels apart, were
+// slower; group-shared tiles came level with columns that do not share quads, never with those that do. The
+// chain of depth, motion and history goes first, its waits the longest.
 
 static const int COLUMN = 6;   // pixels_per_thread of the table
 
