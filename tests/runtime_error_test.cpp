@@ -155,7 +155,7 @@ TEST_F(ErrorTest, quadOperationsAreNotTakenForGranted) {
     const auto words = packSpirv(*variant, Stage::compute);
     ASSERT_TRUE(words) << words.error().message;
     expectError(PassPipeline::create(device, *variant, Stage::compute, *words, {}, {}),
-                ErrorCode::missingFeature, "quad operations");
+                ErrorCode::missingFeature, "quad and shuffle operations");
 }
 
 // --- Recording

@@ -35,7 +35,7 @@ float2 cameraMotion(float2 uv, float depth) {
 
 [[vk::binding(16)]] RWTexture2D<float4> gOutVelocity;
 
-[numthreads(8, 8, 1)]
+[numthreads(16, 16, 1)]   // 8x8 take a GPU almost twice as long
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
     if (any(thread.xy >= uint2(gOutputSize.xy))) return;
     float2 uv = pxToUv(float2(thread.xy) + 0.5, gOutputSize.zw);

@@ -11,7 +11,11 @@
 // gOutColour      what is shown, with MOTION_BLUR_FALLBACK
 // Colours are [0, 65504] in any float or unorm format; NaN, infinity and negatives are read as finite
 // colours, so none reaches an output. Motion that is NaN or leaves the image drops history for that pixel.
+// In compute gOutHistory and gOutColour have the extent gOutputSize: threads beyond it store nothing there.
 // Longer than 250 lines: one body with three ways to read the neighbourhood (pixel alone, quad, column).
+
+// The box compares colours as integers where none is negative.
+#define COLOURS_NOT_NEGATIVE (COLOUR_SPACE_RGB && !PLATFORM_D3D9)
 
 #include "reprise/closest_fragment.hlsli"
 #include "reprise/colour.hlsli"
@@ -42,12 +46,13 @@ TEXTURE_POINT(gInVelocity, 3);
 TEXTURE_LINEAR(gHistoryColour, 4);
 TEXTURE_LINEAR(gInColourFiltered, 5);
 
-// --- The space in which neighbourhood, clip and blend work
+// --- The space in which neighbourhood, clip and blend work: shares of UNIT_COLOUR_RANGE, or compressed
 
 float3 toWorkingSpace(float3 colour) {
-    colour = sanitize(colour);
 #if HDR_WEIGHT
-    colour = compressHdr(colour);
+    colour = compressHdr(sanitize(colour));
+#else
+    colour = toUnitColour(colour);
 #endif
 #if COLOUR_SPACE_YCOCG
     colour = rgbToYcocg(colour);
@@ -60,16 +65,24 @@ float3 fromWorkingSpace(float3 colour) {
     colour = max(ycocgToRgb(colour), 0.0);
 #endif
 #if HDR_WEIGHT
-    colour = expandHdr(colour);
+    return expandHdr(colour);
+#else
+    return fromUnitColour(colour);
 #endif
-    return min(colour, MAX_COLOUR);
 }
 
+#if HDR_WEIGHT
+static const float WORKING_RANGE = 1.0;
+#else
+static const float WORKING_RANGE = UNIT_COLOUR_RANGE;
+#endif
+
+// In the unit that FEEDBACK_LUMINANCE_FLOOR is in.
 float workingLuminance(float3 colour) {
 #if COLOUR_SPACE_YCOCG
-    return colour.x;
+    return colour.x * WORKING_RANGE;
 #else
-    return luminance(colour);
+    return luminance(colour) * WORKING_RANGE;
 #endif
 }
 
@@ -131,7 +144,7 @@ float3 constrain(float3 history, float3 current, ColourBox box) {
 #if CONSTRAINT_CLAMP
     return clampToBox(history, box);
 #elif CONSTRAINT_CLIP_CENTRE
-    return clipToBoxCentre(history, box);
+    return clipToBoxCentre(history, box, MIN_BOX_EXTENT / WORKING_RANGE);
 #elif CONSTRAINT_CLIP_LINE
     return clipToBoxLine(history, current, box);
 #else
@@ -196,32 +209,19 @@ Resolved resolveFourTap(float2 uv, float2 motion, float3 history) {
 #if STAGE_COMPUTE
 
 // --- Compute: a thread resolves a column of pixels, so that a row of texels is read once for the pixels
-// above, on and below it, and neighbouring threads read neighbouring texels. It is bound by its texture
-// reads, not by its arithmetic. On an H200 2x2 pixels a thread, whose reads lie two texels apart, were
-// slower; group-shared tiles came level with columns that do not share quads, never with those that do. The
-// chain of depth, motion and history goes first, its waits the longest.
+// above, on and below it; with QUAD_SHARING a row of the subgroup reads each texel once. docs/temporal_aa.md
+// says what was measured. The chain of depth, motion and history goes first, its waits the longest. Places
+// are sums of UV: literal offsets in a read take an H200 a tenth longer.
 
 static const int COLUMN = 6;   // pixels_per_thread of the table
+static const int ROWS = COLUMN + 2;   // of texels; row 0 is the one above the column
 
 [[vk::binding(16)]] RWTexture2D<float4> gOutHistory;
 #if MOTION_BLUR_FALLBACK
 [[vk::binding(17)]] RWTexture2D<float4> gOutColour;
 #endif
 
-ColourRow readColourRow(float2 uv, float2 side) {
-    ColourRow row;
-    row.centre = readColour(uv);
-#if QUAD_SHARING
-    row.right = readColour(uv + float2(side.x * gOutputSize.z, 0.0));
-    row.left = quadSwapX(row.centre, side);
-#else
-    row.right = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, 1, 0).rgb);
-    row.left = toWorkingSpace(SAMPLE_OFFSET(gInColour, uv, gOutputSize.zw, -1, 0).rgb);
-#endif
-    return row;
-}
-
-// Depths of two rows, the first at uv: left, centre and right in xyz, mirrored as in a ColourRow.
+// Depths of two rows, the first at uv: left, centre and right in xyz. `side` is the direction of +1.
 void readDepthRows(float2 uv, float2 side, out float3 upper, out float3 lower) {
     float2 halfTexel = 0.5 * gOutputSize.zw;
 #if QUAD_SHARING
@@ -239,11 +239,80 @@ void readDepthRows(float2 uv, float2 side, out float3 upper, out float3 lower) {
 #endif
 }
 
+#if !NEIGHBOURHOOD_FOUR_TAP
+
+#if QUAD_SHARING
+
+// The texel beyond the left (even index) or right (odd) end of row index / 2; firstUv is the column's first
+// pixel.
+float3 readEnd(float2 firstUv, uint index) {
+    float beyond = (index & 1u) != 0u ? float(SUBGROUP_ROW_WIDTH) : -1.0;
+    float2 offset = float2(beyond - float(subgroupColumn()), float(index >> 1u) - 1.0);
+    return readColour(firstUv + offset * gOutputSize.zw);
+}
+
+// Each invocation reads its own column, and one or two of the texels beyond the ends of the rows.
+void readColourRows(float2 firstUv, out ColourRow rows[ROWS]) {
+    uint column = subgroupColumn();
+    float3 ends = readEnd(firstUv, column), moreEnds = ends;
+    if (SUBGROUP_ROW_WIDTH < 2u * ROWS) moreEnds = readEnd(firstUv, column + SUBGROUP_ROW_WIDTH);
+    [unroll] for (uint y = 0; y < ROWS; ++y)
+        rows[y].centre = readColour(firstUv + float2(0.0, (float(y) - 1.0) * gOutputSize.w));
+    [unroll] for (uint row = 0; row < ROWS; ++row) {
+        uint index = 2u * row + (column == SUBGROUP_ROW_WIDTH - 1u ? 0u : 1u);
+        float3 end = 2u * row < SUBGROUP_ROW_WIDTH ? valueInRow(ends, index)
+                                                   : valueInRow(moreEnds, index - SUBGROUP_ROW_WIDTH);
+        rows[row].left = valueToTheLeft(rows[row].centre, end);
+        rows[row].right = valueToTheRight(rows[row].centre, end);
+    }
+}
+
+#else
+
+ColourRow readColourRow(float2 uv) {
+    ColourRow row;
+    row.left = readColour(uv - float2(gOutputSize.z, 0.0));
+    row.centre = readColour(uv);
+    row.right = readColour(uv + float2(gOutputSize.z, 0.0));
+    return row;
+}
+
+#endif
+
+#endif
+
+// A store to no texel of the image has no effect.
 void write(uint2 pixel, Resolved resolved) {
-    if (any(pixel >= uint2(gOutputSize.xy))) return;
     gOutHistory[pixel] = float4(resolved.history, 1.0);
 #if MOTION_BLUR_FALLBACK
     gOutColour[pixel] = float4(resolved.colour, 1.0);
+#endif
+}
+
+// Two pixels below each other. With QUAD_SHARING the halves of a row of the subgroup exchange theirs, so that
+// a store covers blocks of 2x2 texels: those of RGBA16F lie together in a sector of an H200's cache, and half
+// a sector costs as much as a whole one.
+void writePair(uint2 upperPixel, Resolved upper, Resolved lower) {
+#if QUAD_SHARING
+    uint halfWidth = SUBGROUP_ROW_WIDTH / 2u;
+    bool inRightHalf = (upperPixel.x & halfWidth) != 0u;
+    Resolved exchanged;
+    exchanged.history = halfRowSwap(inRightHalf ? upper.history : lower.history);
+    exchanged.colour = exchanged.history;
+#if MOTION_BLUR_FALLBACK
+    exchanged.colour = halfRowSwap(inRightHalf ? upper.colour : lower.colour);
+#endif
+    Resolved left = upper, right = exchanged;
+    if (inRightHalf) {
+        left = exchanged;
+        right = lower;
+    }
+    uint2 leftPixel = uint2(upperPixel.x & ~halfWidth, upperPixel.y + (inRightHalf ? 1u : 0u));
+    write(leftPixel, left);
+    write(leftPixel + uint2(halfWidth, 0u), right);
+#else
+    write(upperPixel, upper);
+    write(upperPixel + uint2(0u, 1u), lower);
 #endif
 }
 
@@ -253,17 +322,16 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
     float2 firstUv = pxToUv(float2(firstPixel) + 0.5, gOutputSize.zw);
     float2 below = float2(0.0, gOutputSize.w);
 #if QUAD_SHARING
-    float2 side = float2(quadSide(float2(firstPixel)).x, 1.0);   // every thread of a quad runs to its end
+    float2 side = float2(quadSide(float2(firstPixel)).x, 1.0);   // every thread of a subgroup runs to its end
 #else
     float2 side = float2(1.0, 1.0);
     if (any(firstPixel >= uint2(gOutputSize.xy))) return;
 #endif
 
-    // Row 0 is the one above the column.
     float2 motions[COLUMN];
 #if MOTION && CLOSEST_FRAGMENT
-    float3 depthRows[COLUMN + 2];
-    [unroll] for (int pair = 0; pair < COLUMN + 2; pair += 2)
+    float3 depthRows[ROWS];
+    [unroll] for (int pair = 0; pair < ROWS; pair += 2)
         readDepthRows(firstUv + below * float(pair - 1), side, depthRows[pair], depthRows[pair + 1]);
 #endif
     [unroll] for (int y = 0; y < COLUMN; ++y) {
@@ -279,22 +347,29 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
         histories[i] = readHistory(firstUv + below * float(i) - motions[i]);
 
 #if !NEIGHBOURHOOD_FOUR_TAP
-    ColourRow up = readColourRow(firstUv - below, side);
-    ColourRow own = readColourRow(firstUv, side);
+    ColourRow rows[ROWS];
+#if QUAD_SHARING
+    readColourRows(firstUv, rows);
+#else
+    rows[0] = readColourRow(firstUv - below);
+    rows[1] = readColourRow(firstUv);
 #endif
+#endif
+    Resolved upper;
     [unroll] for (int row = 0; row < COLUMN; ++row) {
         float2 uv = firstUv + below * float(row);
 #if NEIGHBOURHOOD_FOUR_TAP
         Resolved resolved = resolveFourTap(uv, motions[row], histories[row]);
 #else
-        ColourRow down = readColourRow(uv + below, side);
-        Neighbourhood n = neighbourhoodOf(up, own, down);
-        float3 current = unjitteredColour(n, side);
-        Resolved resolved = resolve(uv, motions[row], histories[row], current, neighbourhoodBox(n));
-        up = own;
-        own = down;
+#if !QUAD_SHARING
+        rows[row + 2] = readColourRow(uv + below);
 #endif
-        write(firstPixel + uint2(0, row), resolved);
+        Neighbourhood n = neighbourhoodOf(rows[row], rows[row + 1], rows[row + 2]);
+        float3 current = unjitteredColour(n, float2(1.0, 1.0));
+        Resolved resolved = resolve(uv, motions[row], histories[row], current, neighbourhoodBox(n));
+#endif
+        if (row % 2 == 1) writePair(firstPixel + uint2(0, row - 1), upper, resolved);
+        upper = resolved;
     }
 }
 

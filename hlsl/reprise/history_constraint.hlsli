@@ -8,7 +8,7 @@
 // Below this, a side of a box counts as this long: far under a step of a binary16 history. It keeps 0/0 out
 // of the clip, which the printed form has for a box without extent.
 static const float MIN_BOX_EXTENT = 1e-7;
-// Turns 0/0 into 1 and is lost in any other sum.
+// Turns 0/0 into 1 and is lost in any other sum (line clip).
 static const float TINY = 1e-30;
 
 // Each channel for itself: hue may shift, and colours gather in the corners of the box.
@@ -17,13 +17,18 @@ float3 clampToBox(float3 history, ColourBox box) {
 }
 
 // Moves history along the line to the centre of the box until it is inside: clip_aabb of the talk (I6), with
-// `ax` read as max and the zero extent guarded.
-float3 clipToBoxCentre(float3 history, ColourBox box) {
-    float3 centre = 0.5 * (box.maximum + box.minimum);
-    float3 extent = max(0.5 * (box.maximum - box.minimum), MIN_BOX_EXTENT);
+// `ax` read as max and the zero extent guarded. minExtent > 0 is what a side counts as at least, in the unit
+// of the colours.
+float3 clipToBoxCentre(float3 history, ColourBox box, float minExtent) {
+    float3 centre = 0.5 * box.maximum + 0.5 * box.minimum;
+    float3 extent = max(0.5 * box.maximum - 0.5 * box.minimum, minExtent);
     float3 offset = history - centre;
-    float3 share = extent / (abs(offset) + TINY);   // of the way that is inside, per axis
-    return centre + offset * min(min(share.x, 1.0), min(share.y, share.z));
+    float3 share = extent / max(abs(offset), extent);   // of the way that is inside, per axis
+    return centre + offset * min(share.x, min(share.y, share.z));
+}
+
+float3 clipToBoxCentre(float3 history, ColourBox box) {
+    return clipToBoxCentre(history, box, MIN_BOX_EXTENT);
 }
 
 // Moves history along the line to the current colour until it is inside: the line clip that the talk calls

@@ -3,6 +3,32 @@
 #ifndef REPRISE_NEIGHBOURHOOD_HLSLI
 #define REPRISE_NEIGHBOURHOOD_HLSLI
 
+// A shader whose colours are never negative defines this as 1 before the include: minimum and maximum then
+// compare bits, which order as the floats >= 0 do, and some GPUs have an integer minimum of three in one
+// instruction. Not for shader model 3, which has no bits.
+#ifndef COLOURS_NOT_NEGATIVE
+#define COLOURS_NOT_NEGATIVE 0
+#endif
+
+// Smallest and largest of three, per channel.
+#if COLOURS_NOT_NEGATIVE
+float3 min3(float3 a, float3 b, float3 c) {
+    return asfloat(min(min(asint(a), asint(b)), asint(c)));
+}
+
+float3 max3(float3 a, float3 b, float3 c) {
+    return asfloat(max(max(asint(a), asint(b)), asint(c)));
+}
+#else
+float3 min3(float3 a, float3 b, float3 c) {
+    return min(min(a, b), c);
+}
+
+float3 max3(float3 a, float3 b, float3 c) {
+    return max(max(a, b), c);
+}
+#endif
+
 // The 3x3 texels around a pixel. x and y run away from the pixel's own texel; which of the two directions is
 // +1 does not matter to a box, so that quads and tiles can fill it mirrored.
 struct Neighbourhood {
@@ -34,20 +60,22 @@ struct ColourBox {
     float3 minimum, maximum;
 };
 
-// Smallest and largest of centre, left, right, up, down, per channel. Pairs left and right come first: a
-// thread that resolves a column of pixels shares them between rows.
+// Smallest and largest of centre, left, right, up, down, per channel. Rows come first, here and in the
+// square: a thread that resolves a column of pixels shares them.
 ColourBox boxOfPlus(Neighbourhood n) {
     ColourBox box;
-    box.minimum = min(min(min(n.left, n.right), n.centre), min(n.up, n.down));
-    box.maximum = max(max(max(n.left, n.right), n.centre), max(n.up, n.down));
+    box.minimum = min3(min3(n.left, n.right, n.centre), n.up, n.down);
+    box.maximum = max3(max3(n.left, n.right, n.centre), n.up, n.down);
     return box;
 }
 
 // Smallest and largest of the 3x3, per channel.
 ColourBox boxOfSquare(Neighbourhood n) {
-    ColourBox box = boxOfPlus(n);
-    box.minimum = min(box.minimum, min(min(n.leftUp, n.rightUp), min(n.leftDown, n.rightDown)));
-    box.maximum = max(box.maximum, max(max(n.leftUp, n.rightUp), max(n.leftDown, n.rightDown)));
+    ColourBox box;
+    box.minimum = min3(min3(n.left, n.right, n.centre), min3(n.leftUp, n.rightUp, n.up),
+                       min3(n.leftDown, n.rightDown, n.down));
+    box.maximum = max3(max3(n.left, n.right, n.centre), max3(n.leftUp, n.rightUp, n.up),
+                       max3(n.leftDown, n.rightDown, n.down));
     return box;
 }
 

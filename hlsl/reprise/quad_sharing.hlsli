@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads shared between the four invocations of a quad. Each reads itself and the texels on its outer side;
-// the inner ones are read by its neighbours and come over.
+// Reads shared between neighbouring invocations: each reads its own texels, others' come over.
 //
-// Fragment: they come as fine derivatives, own + (neighbour - own), exact to two roundings of the larger
-// of the two. A NaN or an infinity in one pixel reaches the other three, so values are made finite first.
-// Compute: they come through quad operations, exactly. Neighbours in a row are neighbours in the group, all
-// four must be running, and the device must have quad operations in compute.
+// Fragment: the four of a 2x2 quad. Values come as fine derivatives, own + (neighbour - own), exact to two
+// roundings of the larger of the two. A NaN or an infinity in one pixel reaches the other three, so values
+// are made finite first.
+// Compute: a row of the subgroup, SUBGROUP_ROW_WIDTH invocations beside each other. Values come exactly.
+// Groups are a multiple of it wide, all invocations must be running, and the device must have quad and
+// shuffle operations in compute and subgroups of at least 8.
 #ifndef REPRISE_QUAD_SHARING_HLSLI
 #define REPRISE_QUAD_SHARING_HLSLI
 
@@ -15,6 +16,36 @@ float2 quadSide(float2 positionPx) {
 }
 
 #if STAGE_COMPUTE
+
+// A power of two from 8 to the size of the device's subgroups, at most 32. The runtime gives the largest.
+[[vk::constant_id(0)]] const uint SUBGROUP_ROW_WIDTH = 8;
+
+// Place in the row, from 0 on.
+uint subgroupColumn() {
+    return WaveGetLaneIndex() & (SUBGROUP_ROW_WIDTH - 1u);
+}
+
+// The value of the row's invocation `column`.
+float3 valueInRow(float3 value, uint column) {
+    return WaveReadLaneAt(value, WaveGetLaneIndex() - subgroupColumn() + column);
+}
+
+// The values of the left and of the right neighbour. `end` stands for what lies beyond the row: in the last
+// invocation the value to the left of the first one, in the first that to the right of the last.
+float3 valueToTheLeft(float3 value, float3 end) {
+    bool isLast = subgroupColumn() == SUBGROUP_ROW_WIDTH - 1u;
+    return valueInRow(isLast ? end : value, (subgroupColumn() - 1u) & (SUBGROUP_ROW_WIDTH - 1u));
+}
+
+float3 valueToTheRight(float3 value, float3 end) {
+    bool isFirst = subgroupColumn() == 0u;
+    return valueInRow(isFirst ? end : value, (subgroupColumn() + 1u) & (SUBGROUP_ROW_WIDTH - 1u));
+}
+
+// The value of the invocation half a row away.
+float3 halfRowSwap(float3 value) {
+    return WaveReadLaneAt(value, WaveGetLaneIndex() ^ (SUBGROUP_ROW_WIDTH / 2u));
+}
 
 // The value of the other invocation in the row.
 float2 quadSwapX(float2 value, float2 side) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "handles.hpp"
 
+#include <algorithm>
+
 namespace reprise {
 namespace {
 
@@ -39,14 +41,21 @@ Result<void> checkHandles(const BorrowedDevice& borrowed) {
     return {};
 }
 
-bool hasQuadOperations(const BorrowedDevice& from, const DeviceFunctions& vk) {
+void readSubgroups(Device& device, const DeviceFunctions& vk) {
+    constexpr VkSubgroupFeatureFlags needed = VK_SUBGROUP_FEATURE_QUAD_BIT | VK_SUBGROUP_FEATURE_SHUFFLE_BIT;
+    constexpr uint32_t leastRow = 8, mostRow = 32;
+    auto sizes = structure<VkPhysicalDeviceSubgroupSizeControlProperties>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_SIZE_CONTROL_PROPERTIES);
     auto subgroup =
         structure<VkPhysicalDeviceSubgroupProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES);
+    subgroup.pNext = &sizes;
     auto properties = structure<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
     properties.pNext = &subgroup;
-    vk.GetPhysicalDeviceProperties2(from.physicalDevice, &properties);
-    return (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0 &&
-           (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_QUAD_BIT) != 0;
+    vk.GetPhysicalDeviceProperties2(device.borrowed.physicalDevice, &properties);
+    device.quadOperations = (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0 &&
+                            (subgroup.supportedOperations & needed) == needed &&
+                            sizes.minSubgroupSize >= leastRow;
+    device.subgroupRow = std::clamp(sizes.minSubgroupSize, leastRow, mostRow);
 }
 
 Result<Device> load(const BorrowedDevice& borrowed) {
@@ -67,7 +76,7 @@ Result<Device> load(const BorrowedDevice& borrowed) {
     Device device;
     device.borrowed = borrowed;
     device.limits = properties.limits;
-    device.quadOperations = hasQuadOperations(borrowed, *vk);
+    readSubgroups(device, *vk);
     vk->GetPhysicalDeviceMemoryProperties(borrowed.physicalDevice, &device.memory);
     device.vk = std::move(vk);
     return device;

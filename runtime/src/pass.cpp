@@ -72,9 +72,9 @@ Result<void> buildCompute(PassAccess::State& state, const SpirvModule& module) {
                                 "shaderStorageImageWriteWithoutFormat", name);
     if (!enabled) return enabled;
     if (module.usesQuadOperations && !state.device.quadOperations)
-        return Error{ErrorCode::missingFeature,
-                     "The device has no quad operations in compute, which this form of " + std::string(name) +
-                         " uses; switch QUAD_SHARING off."};
+        return Error{ErrorCode::missingFeature, "The device has no quad and shuffle operations in compute, "
+                                                "or subgroups of fewer than 8, which this form of " +
+                                                    std::string(name) + " uses; switch QUAD_SHARING off."};
     auto stage = makeStage(state.device, module);
     if (!stage) return stage.error();
     auto pipeline = makeComputePipeline(state.device, stage->info, state.interface.layout.get(), name);

@@ -106,6 +106,10 @@ Result<Unique<VkPipeline>> makeComputePipeline(const Device& device,
                                                VkPipelineLayout layout, std::string_view pass) {
     auto info = structure<VkComputePipelineCreateInfo>(VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO);
     info.stage = stage;
+    // SUBGROUP_ROW_WIDTH of hlsl/reprise/quad_sharing.hlsli; a module without it ignores the entry.
+    constexpr VkSpecializationMapEntry row{0, 0, sizeof(uint32_t)};
+    const VkSpecializationInfo specialization{1, &row, sizeof(uint32_t), &device.subgroupRow};
+    info.stage.pSpecializationInfo = &specialization;
     info.layout = layout;
     VkPipeline pipeline = VK_NULL_HANDLE;
     const VkResult result = device.vk->CreateComputePipelines(device.borrowed.device, VK_NULL_HANDLE, 1,

@@ -89,7 +89,9 @@ Result<Variant> chooseVariant(const PassInfo& pass, std::span<const PresetInfo> 
                 return set.error();
     if (settings.stage == Stage::compute && !settings.quadOperations) {
         const auto set =
-            turnOff(*variant, "QUAD_SHARING", "The device has no quad operations in compute.", dropped);
+            turnOff(*variant, "QUAD_SHARING",
+                    "The device has no quad and shuffle operations in compute, or subgroups of fewer than 8.",
+                    dropped);
         if (!set) return set.error();
     }
     // The closest fragment is looked for to take its motion.

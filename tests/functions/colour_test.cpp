@@ -39,6 +39,40 @@ TEST(Colour, sanitizeByMaximumAloneIsCaught) {
     expectCaught(sanitizing(), {header, "colour.g > 0.0 ? colour.g : 0.0", "colour.g"});
 }
 
+// A product by a power of two, exact above the denormals.
+Comparison unitColours() {
+    Comparison comparison = sanitizing();
+    comparison.function.name = "toUnitColour";
+    comparison.function.body = "out0.xyz = toUnitColour(in0.xyz);";
+    comparison.oracle = [](const Row& in) {
+        return std::vector{near(oracle::unitColour(xyz(in[0])), flush)};
+    };
+    return comparison;
+}
+
+Comparison throughUnitColours() {
+    Comparison comparison = sanitizing();
+    comparison.function.name = "fromUnitColour";
+    comparison.function.body = "out0.xyz = fromUnitColour(toUnitColour(in0.xyz));";
+    comparison.oracle = [](const Row& in) {
+        return std::vector{near(oracle::sanitize(xyz(in[0])), 65536.0 * flush)};
+    };
+    return comparison;
+}
+
+TEST(Colour, unitColoursAreRepairedAndBackExact) {
+    expectAgrees(unitColours());
+    expectAgrees(throughUnitColours());
+}
+
+TEST(Colour, unitColourWithoutRepairOrOfAnotherRangeIsCaught) {
+    expectCaught(unitColours(), {header, "saturate(colour * (1.0 / UNIT_COLOUR_RANGE))",
+                                 "(colour * (1.0 / UNIT_COLOUR_RANGE))"});
+    expectCaught(unitColours(), {header, "UNIT_COLOUR_RANGE = 65536.0", "UNIT_COLOUR_RANGE = 65504.0"});
+    expectCaught(throughUnitColours(),
+                 {header, "min(unit * UNIT_COLOUR_RANGE, MAX_COLOUR)", "unit * UNIT_COLOUR_RANGE"});
+}
+
 Comparison luminances() {
     // Three products and two sums of one sign: each partial result is at most the sum, 5 roundings.
     return {{"luminance", {header}, "out0.x = luminance(in0.xyz);"}, colours(2), [](const Row& in) {

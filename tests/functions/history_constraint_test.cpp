@@ -109,7 +109,7 @@ Comparison clippingToLine() {
             }};
 }
 
-const std::string clipShares = "min(min(share.x, 1.0), min(share.y, share.z))";
+const std::string clipShares = "offset * min(share.x, min(share.y, share.z))";
 
 TEST(HistoryConstraint, clampHoldsEachChannel) {
     expectAgrees(clamping());
@@ -130,17 +130,17 @@ TEST(HistoryConstraint, clampThatSwapsItsEndsIsCaught) {
 
 TEST(HistoryConstraint, thePrintedAxOfClipAabbIsCaught) {
     // Read as either of its arguments, or as their minimum, an axis falls out of the maximum.
-    expectCaught(clippingToCentre(), {header, clipShares, "min(min(share.x, 1.0), share.y)"});
-    expectCaught(clippingToCentre(), {header, clipShares, "min(min(share.x, 1.0), share.z)"});
-    expectCaught(clippingToCentre(), {header, clipShares, "min(min(share.x, 1.0), max(share.y, share.z))"});
+    expectCaught(clippingToCentre(), {header, clipShares, "offset * min(share.x, share.y)"});
+    expectCaught(clippingToCentre(), {header, clipShares, "offset * min(share.x, share.z)"});
+    expectCaught(clippingToCentre(), {header, clipShares, "offset * min(share.x, max(share.y, share.z))"});
 }
 
 TEST(HistoryConstraint, thePrintedDivisionByAZeroExtentIsCaught) {
-    expectCaught(clippingToCentre(), {header, "max(0.5 * (box.maximum - box.minimum), MIN_BOX_EXTENT)",
-                                      "0.5 * (box.maximum - box.minimum)"});
+    expectCaught(clippingToCentre(), {header, "max(0.5 * box.maximum - 0.5 * box.minimum, minExtent)",
+                                      "0.5 * box.maximum - 0.5 * box.minimum"});
     // The slide itself: unit space first, then the comparison.
     expectCaught(clippingToCentre(),
-                 {header, "float3 extent = max(0.5 * (box.maximum - box.minimum), MIN_BOX_EXTENT);",
+                 {header, "float3 extent = max(0.5 * box.maximum - 0.5 * box.minimum, minExtent);",
                   "float3 extent = 0.5 * (box.maximum - box.minimum);"
                   "float3 printed = abs((history - centre) / extent);"
                   "float ma = max(printed.x, max(printed.y, printed.z));"
@@ -148,15 +148,15 @@ TEST(HistoryConstraint, thePrintedDivisionByAZeroExtentIsCaught) {
 }
 
 TEST(HistoryConstraint, clipThatPullsInsideHistoryToTheBorderIsCaught) {
-    expectCaught(clippingToCentre(), {header, clipShares, "min(share.x, min(share.y, share.z))"});
+    expectCaught(clippingToCentre(), {header, "extent / max(abs(offset), extent)", "extent / abs(offset)"});
 }
 
 TEST(HistoryConstraint, lineClipWithoutItsGuardsIsCaught) {
     expectCaught(clippingToLine(), {header, "(abs(room) + TINY) / (max(abs(direction), abs(room)) + TINY)",
                                     "abs(room) / max(abs(direction), abs(room))"});
     expectCaught(clippingToLine(), {header, "clampToBox(current, box)", "current"});
-    expectCaught(clippingToLine(),
-                 {header, "min(share.x, min(share.y, share.z))", "max(share.x, max(share.y, share.z))"});
+    expectCaught(clippingToLine(), {header, "direction * min(share.x, min(share.y, share.z))",
+                                    "direction * max(share.x, max(share.y, share.z))"});
 }
 
 // What the box is for, whatever the bound of the agreement.

@@ -83,6 +83,23 @@ TEST(Neighbourhood, plusAndSquareAreTheirSmallestAndLargest) {
     expectAgrees(squareBox());
 }
 
+// The colours of the other tests are not negative either.
+Comparison asBits(Comparison comparison) {
+    comparison.function.defines = {{"COLOURS_NOT_NEGATIVE", 1}};
+    return comparison;
+}
+
+TEST(Neighbourhood, bitsOfColoursThatAreNotNegativeOrderAsTheColours) {
+    for (const Comparison& each : {asBits(plusBox()), asBits(squareBox()), asBits(roundedBox())}) {
+        for (const Row& row : each.inputs)
+            for (const vec4& colour : row)
+                ASSERT_TRUE(colour.x >= 0.0f && colour.y >= 0.0f && colour.z >= 0.0f);
+        expectAgrees(each);
+    }
+    expectCaught(asBits(squareBox()), {header, "asfloat(max(max(asint(a), asint(b)), asint(c)))",
+                                       "asfloat(max(asint(a), asint(c)))"});
+}
+
 TEST(Neighbourhood, roundedIsTheMeanOfBothBoxes) {
     expectAgrees(roundedBox());
 }
@@ -97,11 +114,10 @@ TEST(Neighbourhood, roundedWithoutThePlusIsCaught) {
 }
 
 TEST(Neighbourhood, boxWithAForgottenOrWrongTexelIsCaught) {
-    expectCaught(squareBox(),
-                 {header, "min(box.minimum, min(min(n.leftUp, n.rightUp)", "min(box.minimum, min(n.leftUp"});
-    expectCaught(plusBox(), {header, "max(max(max(n.left, n.right), n.centre)",
-                             "max(max(max(n.left, n.left), n.centre)"});
-    expectCaught(plusBox(), {header, "box.minimum = min(min(min(n.left", "box.minimum = max(min(min(n.left"});
+    expectCaught(squareBox(), {header, "min3(n.leftUp, n.rightUp, n.up)", "min3(n.leftUp, n.leftUp, n.up)"});
+    expectCaught(plusBox(), {header, "box.maximum = max3(max3(n.left, n.right, n.centre)",
+                             "box.maximum = max3(max3(n.left, n.left, n.centre)"});
+    expectCaught(plusBox(), {header, "box.minimum = min3(min3(n.left", "box.minimum = max3(min3(n.left"});
 }
 
 TEST(Neighbourhood, varianceOfASampleOrAboutZeroIsCaught) {

@@ -109,6 +109,46 @@ std::string wrongInvocations(const Mutation& mutation = {}) {
     return "";
 }
 
+// Rows of the subgroup: eight invocations on Mesa's CPU driver, which are also the rows of the runner's
+// groups.
+std::string wrongRows(const Mutation& mutation = {}) {
+    constexpr size_t width = 8;
+    Random random(5);
+    std::vector<Row> rows;
+    for (int i = 0; i < 512; ++i)
+        rows.push_back({random.colour(), random.colour()});
+    const Function function{"rows of the subgroup",
+                            {header},
+                            "out0.xyz = valueToTheLeft(in0.xyz, in1.xyz);"
+                            "out1.xyz = valueToTheRight(in0.xyz, in1.xyz);"
+                            "out2.xyz = halfRowSwap(in0.xyz);"
+                            "out3.xy = float2(SUBGROUP_ROW_WIDTH, subgroupColumn());",
+                            2,
+                            4};
+    const auto out = run(function, rows, {.mutation = mutation});
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const size_t first = i / width * width, last = first + width - 1;
+        const vec4 left = i == first ? rows[last][1] : rows[i - 1][0];
+        const vec4 right = i == last ? rows[first][1] : rows[i + 1][0];
+        const vec4 half = rows[i ^ (width / 2)][0];
+        for (int c = 0; c < 3; ++c)
+            if (out[i][0][c] != left[c] || out[i][1][c] != right[c] || out[i][2][c] != half[c])
+                return "invocation " + std::to_string(i) + " has another one's value";
+        if (out[i][3].x != width || out[i][3].y != static_cast<float>(i - first)) return "place in the row";
+    }
+    return "";
+}
+
+TEST(QuadSharing, rowsOfTheSubgroupShareWithTheirNeighboursAndEnds) {
+    EXPECT_EQ(wrongRows(), "");
+}
+
+TEST(QuadSharing, rowsThatMixTheirSidesOrEndsAreCaught) {
+    EXPECT_NE(wrongRows({header, "subgroupColumn() - 1u) &", "subgroupColumn() + 1u) &"}), "");
+    EXPECT_NE(wrongRows({header, "isFirst ? end : value", "value"}), "");
+    EXPECT_NE(wrongRows({header, "SUBGROUP_ROW_WIDTH / 2u", "1u"}), "");
+}
+
 TEST(QuadSharing, computeTakesTheNeighboursValueExactly) {
     EXPECT_EQ(wrongInvocations(), "");
 }

@@ -20,7 +20,7 @@ Result<Words> moduleFrom(const Source& source, const Defines& defines, std::vect
     if (dependencies) *dependencies = front->headers;
     auto optimised = optimise(withoutStorageFormats(front->spirv));
     if (!optimised) return badShader(source.name + ":1: " + optimised.error().message);
-    Words module = withStorageAccess(*optimised);
+    Words module = withDefinedSaturate(withStorageAccess(*optimised));
     if (auto valid = validate(module); !valid) return badShader(source.name + ":1: " + valid.error().message);
     return module;
 }

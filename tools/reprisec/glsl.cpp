@@ -23,6 +23,7 @@ sx::CompilerGLSL::Options optionsFor(Stage stage, GlslTarget target) {
     // Images then lie in memory as Vulkan's do, top row first, and depth is [0,1] after GL's own mapping.
     options.vertex.flip_vert_y = true;
     options.vertex.fixup_clipspace = true;
+    options.relax_nan_checks = true; // GLSL has no clamp that says what NaN becomes
     return options;
 }
 

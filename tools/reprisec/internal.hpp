@@ -86,6 +86,8 @@ Words withoutStorageFormats(const Words& module);
 // rest.
 Words withStorageAccess(const Words& module);
 Words withoutDebugNames(const Words& module);
+// HLSL's saturate(NaN) is 0. glslang makes it FClamp, which leaves that open: clamps to [0, 1] become NClamp.
+Words withDefinedSaturate(const Words& module);
 // Gives the storage images named a format of their own, for GLSL that demands one.
 Words withStorageFormats(const Words& module, const std::map<std::string, uint32_t>& formatOfName);
 

@@ -3,7 +3,9 @@
 #include "internal.hpp"
 
 #include <algorithm>
+#include <bit>
 
+#include <spirv_cross/GLSL.std.450.h>
 #include <spirv_cross/spirv.hpp>
 
 namespace reprisec {
@@ -179,6 +181,30 @@ Words withoutDebugNames(const Words& module) {
         default:
             keep(each, out);
         }
+    });
+}
+
+Words withDefinedSaturate(const Words& module) {
+    std::map<uint32_t, float> constants; // scalars, and vectors of equal ones
+    forEachInstruction(module, [&](const Instruction& each) {
+        if (each.opcode == spv::OpConstantNull) constants[each.words[2]] = 0.0f;
+        if (each.opcode == spv::OpConstant && each.words.size() == 4)
+            constants[each.words[2]] = std::bit_cast<float>(each.words[3]);
+        if (each.opcode != spv::OpConstantComposite) return;
+        const auto parts = each.words.subspan(3);
+        const auto first = constants.find(parts.front());
+        const bool equal = std::ranges::all_of(parts, [&](uint32_t part) { return part == parts.front(); });
+        if (equal && first != constants.end()) constants[each.words[2]] = first->second;
+    });
+    const auto is = [&](uint32_t id, float value) {
+        const auto found = constants.find(id);
+        return found != constants.end() && found->second == value;
+    };
+    return rewrite(module, [&](const Instruction& each, Words& out) {
+        keep(each, out);
+        const bool clamp = each.opcode == spv::OpExtInst && each.words[4] == GLSLstd450FClamp;
+        if (clamp && is(each.words[6], 0.0f) && is(each.words[7], 1.0f))
+            out[out.size() - each.words.size() + 4] = GLSLstd450NClamp;
     });
 }
 

@@ -206,8 +206,8 @@ inline constexpr SwitchInfo temporal_aa_switches[] = {
      "resampling of history; bicubic in five bilinear fetches", {}},
     {"DEPTH_REVERSED", temporal_aa_DEPTH_REVERSED_values, 0, "device depth is reversed",
      "closest is the largest depth", {}},
-    {"QUAD_SHARING", temporal_aa_QUAD_SHARING_values, 0, "a device with quad operations in compute; nothing in a fragment shader",
-     "each invocation of a 2x2 quad reads its outer texels and takes the inner ones from its neighbours", {}},
+    {"QUAD_SHARING", temporal_aa_QUAD_SHARING_values, 0, "quad and shuffle operations in compute, subgroups of at least 8; nothing in a fragment shader",
+     "invocations of a 2x2 quad (fragment) or of a row of the subgroup (compute) read each texel once", {}},
 };
 inline constexpr BindingInfo temporal_aa_bindings[] = {
     {"TemporalAaParameters", 0, BindingKind::uniformBuffer},
@@ -341,7 +341,7 @@ inline constexpr PassInfo passes[] = {
      {}, {}, {}},
     {"camera_velocity", "Motion of static geometry from depth and the previous camera",
      "INSIDE, Reprojection of static scenes; Drobot 7.3", camera_velocity_stages, true,
-     {8, 8, 1}, {1, 1}, 112, camera_velocity_switches,
+     {16, 16, 1}, {1, 1}, 112, camera_velocity_switches,
      camera_velocity_bindings, camera_velocity_inputs, camera_velocity_outputs},
     {"object_velocity", "Motion of moving objects, drawn over the camera's",
      "INSIDE, Reprojection of dynamic scenes", object_velocity_stages, false,

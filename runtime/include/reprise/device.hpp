@@ -34,7 +34,9 @@ struct Device {
     BorrowedDevice borrowed;
     VkPhysicalDeviceMemoryProperties memory{};
     VkPhysicalDeviceLimits limits{};
-    bool quadOperations = false; // subgroup quad operations in compute: QUAD_SHARING uses them there
+    // Quad and shuffle operations in compute, in subgroups of at least 8: QUAD_SHARING uses them there.
+    bool quadOperations = false;
+    uint32_t subgroupRow = 8; // invocations of a subgroup that such a pass takes as one row: 8, 16 or 32
     std::shared_ptr<const DeviceFunctions> vk;
 };
 

@@ -195,6 +195,25 @@ TEST(CompileSource, fetchAndSampleOfOneTextureShareOneUniform) {
 }
 
 // glslang reports success and hands over a module that no driver need take.
+// Clamps to [0, 1] are what saturate became; other clamps stay.
+TEST(CompileSource, saturateSaysWhatBecomesOfNaN) {
+    constexpr uint32_t extInst = 12, fClamp = 43, nClamp = 81;
+    const auto count = [](const std::string& expression, uint32_t which) {
+        const auto compiled = reprisec::compileSource(
+            source("float4 mainFragment(float4 c : TEXCOORD0) : SV_Target0 { return " + expression + "; }",
+                   Stage::fragment, "mainFragment"));
+        EXPECT_TRUE(compiled) << messageOf(compiled);
+        size_t found = 0;
+        for (size_t at = 5; at < compiled->spirv.size(); at += compiled->spirv[at] >> 16)
+            found += (compiled->spirv[at] & 0xffffu) == extInst && compiled->spirv[at + 4] == which;
+        return found;
+    };
+    EXPECT_EQ(count("saturate(c)", nClamp), 1u);
+    EXPECT_EQ(count("saturate(c.x) * c", nClamp), 1u);
+    EXPECT_EQ(count("clamp(c, 0.0, 2.0)", nClamp), 0u);
+    EXPECT_EQ(count("clamp(c, 0.0, 2.0)", fClamp), 1u);
+}
+
 TEST(CompileSource, invalidSpirvIsRefusedWithASentence) {
     const auto compiled = reprisec::compileSource(source(
         "[[vk::binding(1)]] Texture2D<float> gIn; [[vk::binding(33)]] SamplerComparisonState gIn_sampler;\n"
