@@ -10,4 +10,5 @@
 #include "jitter.hpp"
 #include "neighbourhood.hpp"
 #include "reprojection.hpp"
+#include "reprojection_cache.hpp"
 #include "resampling.hpp"
