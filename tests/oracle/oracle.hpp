@@ -8,6 +8,7 @@
 #include "colour.hpp"
 #include "image.hpp"
 #include "jitter.hpp"
+#include "miss_detection.hpp"
 #include "neighbourhood.hpp"
 #include "reprojection.hpp"
 #include "reprojection_cache.hpp"
