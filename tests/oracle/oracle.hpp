@@ -5,6 +5,7 @@
 
 #include "bilateral_upsampling.hpp"
 #include "blend.hpp"
+#include "cache_resampling.hpp"
 #include "colour.hpp"
 #include "image.hpp"
 #include "jitter.hpp"
