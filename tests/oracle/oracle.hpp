@@ -11,6 +11,7 @@
 #include "jitter.hpp"
 #include "miss_detection.hpp"
 #include "neighbourhood.hpp"
+#include "refresh.hpp"
 #include "reprojection.hpp"
 #include "reprojection_cache.hpp"
 #include "resampling.hpp"
