@@ -20,14 +20,12 @@ void main()
         {
             break;
         }
-        vec2 _62 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec4 _68 = textureLod(gInDepth, _62 * parameters.gOutputSize.zw, 0.0);
-        float _69 = _68.x;
-        vec2 _73 = fma(_62, parameters.gOutputSize.zw, -parameters.gJitterUv);
-        vec4 _85 = parameters.gReprojection * vec4(fma(_73, parameters.gViewRay.xy, parameters.gViewRay.zw) * _69, _69, 1.0);
-        float _86 = _85.w;
-        vec2 _91 = fma(_85.xy * (1.0 / _86), vec2(0.5, -0.5), vec2(0.5));
-        imageStore(gOutVelocity, ivec2(gl_GlobalInvocationID.xy), vec4(_73 - mix(vec2(-8.0), _91, bvec2((_86 > 0.0) && all(lessThanEqual(abs(_91), vec2(8.0))))), 0.0, 0.0));
+        vec2 _63 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+        vec2 _74 = fma(_63, parameters.gOutputSize.zw, -parameters.gJitterUv);
+        vec4 _89 = ((parameters.gReprojection * vec4(fma(_74, parameters.gViewRay.xy, parameters.gViewRay.zw) * 1.0, 1.0, 0.0)) * textureLod(gInDepth, _63 * parameters.gOutputSize.zw, 0.0).x) + (parameters.gReprojection * vec4(0.0, 0.0, 0.0, 1.0));
+        float _90 = _89.w;
+        vec2 _95 = fma(_89.xy * (1.0 / _90), vec2(0.5, -0.5), vec2(0.5));
+        imageStore(gOutVelocity, ivec2(gl_GlobalInvocationID.xy), vec4(_74 - mix(vec2(-8.0), _95, bvec2((_90 > 0.0) && all(lessThanEqual(abs(_95), vec2(8.0))))), 0.0, 0.0));
         break;
     } while(false);
 }

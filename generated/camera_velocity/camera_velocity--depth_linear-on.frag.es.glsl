@@ -16,13 +16,11 @@ layout(location = 0) out vec2 gOutVelocity;
 
 void main()
 {
-    vec4 _53 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
-    float _54 = _53.x;
-    vec2 _58 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-parameters.gJitterUv);
-    vec4 _70 = parameters.gReprojection * vec4((_58 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _54, _54, 1.0);
-    float _71 = _70.w;
-    vec2 _76 = (_70.xy * (1.0 / _71)) * vec2(0.5, -0.5) + vec2(0.5);
-    bvec2 _81 = bvec2((_71 > 0.0) && all(lessThanEqual(abs(_76), vec2(8.0))));
-    gOutVelocity = _58 - vec2(_81.x ? _76.x : vec2(-8.0).x, _81.y ? _76.y : vec2(-8.0).y);
+    vec2 _59 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-parameters.gJitterUv);
+    vec4 _74 = ((parameters.gReprojection * vec4((_59 * parameters.gViewRay.xy + parameters.gViewRay.zw) * 1.0, 1.0, 0.0)) * textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0).x) + (parameters.gReprojection * vec4(0.0, 0.0, 0.0, 1.0));
+    float _75 = _74.w;
+    vec2 _80 = (_74.xy * (1.0 / _75)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _85 = bvec2((_75 > 0.0) && all(lessThanEqual(abs(_80), vec2(8.0))));
+    gOutVelocity = _59 - vec2(_85.x ? _80.x : vec2(-8.0).x, _85.y ? _80.y : vec2(-8.0).y);
 }
 

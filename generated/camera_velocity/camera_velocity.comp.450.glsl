@@ -20,12 +20,12 @@ void main()
         {
             break;
         }
-        vec2 _64 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec2 _75 = fma(_64, parameters.gOutputSize.zw, -parameters.gJitterUv);
-        vec4 _83 = parameters.gReprojection * vec4((_75 - vec2(0.5)) * vec2(2.0, -2.0), textureLod(gInDepth, _64 * parameters.gOutputSize.zw, 0.0).x, 1.0);
-        float _84 = _83.w;
-        vec2 _89 = fma(_83.xy * (1.0 / _84), vec2(0.5, -0.5), vec2(0.5));
-        imageStore(gOutVelocity, ivec2(gl_GlobalInvocationID.xy), vec4(_75 - mix(vec2(-8.0), _89, bvec2((_84 > 0.0) && all(lessThanEqual(abs(_89), vec2(8.0))))), 0.0, 0.0));
+        vec2 _66 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+        vec2 _77 = fma(_66, parameters.gOutputSize.zw, -parameters.gJitterUv);
+        vec4 _84 = parameters.gReprojection * vec4(fma(_77, vec2(2.0, -2.0), vec2(-1.0, 1.0)), textureLod(gInDepth, _66 * parameters.gOutputSize.zw, 0.0).x, 1.0);
+        float _85 = _84.w;
+        vec2 _90 = fma(_84.xy * (1.0 / _85), vec2(0.5, -0.5), vec2(0.5));
+        imageStore(gOutVelocity, ivec2(gl_GlobalInvocationID.xy), vec4(_77 - mix(vec2(-8.0), _90, bvec2((_85 > 0.0) && all(lessThanEqual(abs(_90), vec2(8.0))))), 0.0, 0.0));
         break;
     } while(false);
 }

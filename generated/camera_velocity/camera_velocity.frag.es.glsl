@@ -16,11 +16,11 @@ layout(location = 0) out vec2 gOutVelocity;
 
 void main()
 {
-    vec2 _60 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-parameters.gJitterUv);
-    vec4 _68 = parameters.gReprojection * vec4((_60 - vec2(0.5)) * vec2(2.0, -2.0), textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0).x, 1.0);
-    float _69 = _68.w;
-    vec2 _74 = (_68.xy * (1.0 / _69)) * vec2(0.5, -0.5) + vec2(0.5);
-    bvec2 _79 = bvec2((_69 > 0.0) && all(lessThanEqual(abs(_74), vec2(8.0))));
-    gOutVelocity = _60 - vec2(_79.x ? _74.x : vec2(-8.0).x, _79.y ? _74.y : vec2(-8.0).y);
+    vec2 _62 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-parameters.gJitterUv);
+    vec4 _69 = parameters.gReprojection * vec4(_62 * vec2(2.0, -2.0) + vec2(-1.0, 1.0), textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0).x, 1.0);
+    float _70 = _69.w;
+    vec2 _75 = (_69.xy * (1.0 / _70)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _80 = bvec2((_70 > 0.0) && all(lessThanEqual(abs(_75), vec2(8.0))));
+    gOutVelocity = _62 - vec2(_80.x ? _75.x : vec2(-8.0).x, _80.y ? _75.y : vec2(-8.0).y);
 }
 

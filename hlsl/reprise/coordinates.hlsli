@@ -7,8 +7,10 @@
 // (OpenGL; Vulkan without it) the engine sets NDC_AND_UV_SHARE_Y.
 #if NDC_AND_UV_SHARE_Y
 static const float2 NDC_TO_UV_SCALE = float2(0.5, 0.5);
+static const float2 UV_TO_NDC_SCALE = float2(2.0, 2.0);
 #else
 static const float2 NDC_TO_UV_SCALE = float2(0.5, -0.5);
+static const float2 UV_TO_NDC_SCALE = float2(2.0, -2.0);
 #endif
 
 // [-1,1]² to [0,1]².
@@ -18,7 +20,7 @@ float2 ndcToUv(float2 ndc) {
 
 // [0,1]² to [-1,1]².
 float2 uvToNdc(float2 uv) {
-    return (uv - 0.5) / NDC_TO_UV_SCALE;
+    return uv * UV_TO_NDC_SCALE - 0.5 * UV_TO_NDC_SCALE;
 }
 
 // Pixel coordinates (centres at halves) to UV; texelSize is 1 / extent.

@@ -40,7 +40,14 @@ float3 viewPosition(float2 uv, float linearDepth, float4 viewRay) {
 // Previous UV of the static surface at `uv` (unjittered) with linear depth in metres.
 // viewToPreviousClip is reprise::viewToPreviousClip().
 float2 reprojectLinearDepth(float2 uv, float linearDepth, float4 viewRay, float4x4 viewToPreviousClip) {
+#if ORTHOGRAPHIC
     return clipToUv(transform(viewToPreviousClip, float4(viewPosition(uv, linearDepth, viewRay), 1.0)));
+#else
+    // The ray through the transform, then along it: fewer products than the position through the transform.
+    float4 alongRay = transform(viewToPreviousClip, float4(viewPosition(uv, 1.0, viewRay), 0.0));
+    float4 originCS = transform(viewToPreviousClip, float4(0.0, 0.0, 0.0, 1.0));
+    return clipToUv(alongRay * linearDepth + originCS);
+#endif
 }
 
 // Motion of a surface point from its unjittered clip positions in both frames (compute_ssvel of INSIDE).

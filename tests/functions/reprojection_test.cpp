@@ -122,7 +122,7 @@ TEST(Reprojection, placeBehindThePreviousCameraWithoutItsGuardIsCaught) {
 
 TEST(Reprojection, rayThatIsNotScaledByDepthIsCaught) {
     expectCaught(byLinearDepth(conventions()[0]),
-                 {header, "float3(ray * linearDepth, linearDepth)", "float3(ray, linearDepth)"});
+                 {header, "alongRay * linearDepth + originCS", "alongRay + originCS"});
     expectCaught(byLinearDepth(conventions()[0]),
                  {header, "uv * viewRay.xy + viewRay.zw", "uv * viewRay.zw + viewRay.xy"});
 }
