@@ -35,15 +35,14 @@ struct Texture {
 };
 
 // One call as statements over `in0`, `in1` ... to `out0`, `out1` ..., each a float4. Textures are gTexture0
-// ...
+// and so on. In a fragment function `positionPx` is there, and pixel (x, y) takes row 64 y + x of the inputs.
 struct Function {
     std::string name;
     std::vector<std::string> headers; // reprise/colour.hlsli
     std::string body;
     int inputs = 1, outputs = 1;
     std::map<std::string, int> defines = {};
-    reprise::Stage stage =
-        reprise::Stage::compute; // fragment: one row a pixel, no inputs; positionPx is there
+    reprise::Stage stage = reprise::Stage::compute;
     std::vector<Texture> textures = {};
     std::string helpers = {}; // functions of the caller's own, after the headers
 };
@@ -62,7 +61,7 @@ struct Mutation {
 
 struct RunOptions {
     Mutation mutation = {};  // none if its header is empty
-    glm::ivec2 extent{0, 0}; // fragment: of the output
+    glm::ivec2 extent{0, 0}; // of the output, for a fragment function without inputs
 };
 
 // One row of outputs for each row of inputs, or for each pixel. Throws what does not compile or what the

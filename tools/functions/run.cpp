@@ -137,11 +137,11 @@ std::vector<Row> collect(harness::Gpu& gpu, std::vector<harness::Image>& images,
 std::vector<Row> run(const Bench& bench, const Function& function, const std::vector<Row>& inputs,
                      const RunOptions& options) {
     harness::Gpu& gpu = bench.gpu;
-    const bool compute = function.stage == Stage::compute;
+    const bool byRows = function.stage == Stage::compute || function.inputs > 0;
     const uint32_t lines = (static_cast<uint32_t>(inputs.size()) + rowLength - 1) / rowLength;
-    const uint32_t width = compute ? rowLength : static_cast<uint32_t>(options.extent.x);
+    const uint32_t width = byRows ? rowLength : static_cast<uint32_t>(options.extent.x);
     const uint32_t height =
-        compute ? (lines + groupSide - 1) / groupSide * groupSide : static_cast<uint32_t>(options.extent.y);
+        byRows ? (lines + groupSide - 1) / groupSide * groupSide : static_cast<uint32_t>(options.extent.y);
     const FunctionPass pass(function);
     const std::vector<uint32_t> spirv = compileFunction(bench.hlsl, function, options.mutation);
     const std::vector<VkFormat> formats(pass.outputs.size(), VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -172,7 +172,7 @@ std::vector<Row> run(const Bench& bench, const Function& function, const std::ve
     gpu.run([&](VkCommandBuffer commands) {
         runner.record(commands, images, std::as_bytes(std::span(&parameters, 1)), buffers);
     });
-    auto result = collect(gpu, outputs, compute ? inputs.size() : static_cast<size_t>(width) * height);
+    auto result = collect(gpu, outputs, byRows ? inputs.size() : static_cast<size_t>(width) * height);
     throwValidationMessages(gpu, function.name);
     return result;
 }

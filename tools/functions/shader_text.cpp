@@ -64,6 +64,7 @@ std::string fragmentText(const Function& function) {
     for (int i = 0; i < function.outputs; ++i)
         text << "    float4 target" << i << " : SV_Target" << i << ";\n";
     text << "};\nOutputs mainFragment(float4 positionPx : SV_Position) {\n"
+         << "    uint row = uint(positionPx.y) * " << rowLength << " + uint(positionPx.x);\n"
          << loads(function) << function.body << "\n    Outputs outputs;\n";
     for (int i = 0; i < function.outputs; ++i)
         text << "    outputs.target" << i << " = out" << i << ";\n";
