@@ -57,7 +57,10 @@ struct FunctionPass {
     reprise::PassInfo info{};
 
     explicit FunctionPass(const Function& function) {
-        if (function.inputs > 0) bind("gIn", inputBinding, BindingKind::storageBuffer);
+        // A fragment's helper invocations may read 0 from a buffer, where an image gives them its texels.
+        if (function.inputs > 0)
+            bind("gIn", inputBinding,
+                 function.stage == Stage::compute ? BindingKind::storageBuffer : BindingKind::sampledImage);
         for (size_t i = 0; i < function.textures.size(); ++i) {
             const uint32_t binding = textureBinding + static_cast<uint32_t>(i);
             const std::string name = numbered("gTexture", static_cast<int>(i));
@@ -100,18 +103,18 @@ harness::Image uploaded(harness::Gpu& gpu, const Image& image) {
     return made;
 }
 
-harness::Buffer inputBuffer(harness::Gpu& gpu, const Function& function, const std::vector<Row>& inputs,
-                            size_t rows) {
-    const size_t values = rows * static_cast<size_t>(function.inputs);
-    harness::Buffer buffer = gpu.buffer(values * sizeof(vec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    std::memset(buffer.mapped, 0, values * sizeof(vec4));
-    for (size_t row = 0; row < inputs.size(); ++row) {
-        if (inputs[row].size() != static_cast<size_t>(function.inputs))
+// One row after the other, the rest zero.
+std::vector<float> inputFloats(const Function& function, const std::vector<Row>& inputs, size_t rows) {
+    std::vector<float> floats;
+    floats.reserve(rows * static_cast<size_t>(function.inputs) * 4);
+    for (const Row& row : inputs) {
+        if (row.size() != static_cast<size_t>(function.inputs))
             throw std::runtime_error("a row of " + function.name + " has the wrong number of inputs");
-        const size_t bytes = inputs[row].size() * sizeof(vec4);
-        std::memcpy(buffer.mapped + row * bytes, inputs[row].data(), bytes);
+        for (const vec4& in : row)
+            floats.insert(floats.end(), {in.x, in.y, in.z, in.w});
     }
-    return buffer;
+    floats.resize(rows * static_cast<size_t>(function.inputs) * 4);
+    return floats;
 }
 
 void throwValidationMessages(harness::Gpu& gpu, const std::string& name) {
@@ -164,9 +167,19 @@ std::vector<Row> run(const Bench& bench, const Function& function, const std::ve
         images.push_back({pass.outputs[i].name, &outputs[i]});
     std::vector<reprise::NamedBuffer> buffers;
     harness::Buffer rows;
+    harness::Image rowImage;
     if (function.inputs > 0) {
-        rows = inputBuffer(gpu, function, inputs, static_cast<size_t>(width) * height);
-        buffers.push_back({"gIn", rows.buffer, 0, VK_WHOLE_SIZE});
+        const auto floats = inputFloats(function, inputs, static_cast<size_t>(width) * height);
+        if (function.stage == Stage::compute) {
+            rows = gpu.buffer(floats.size() * sizeof(float), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+            std::memcpy(rows.mapped, floats.data(), floats.size() * sizeof(float));
+            buffers.push_back({"gIn", rows.buffer, 0, VK_WHOLE_SIZE});
+        } else {
+            rowImage = gpu.image(VK_FORMAT_R32G32B32A32_SFLOAT,
+                                 width * static_cast<uint32_t>(function.inputs), height);
+            gpu.uploadFloats(rowImage, floats);
+            images.push_back({"gIn", &rowImage});
+        }
     }
     const vec4 parameters(0.0f);
     gpu.run([&](VkCommandBuffer commands) {

@@ -31,14 +31,21 @@ std::string declarations(const Function& function) {
         text << (function.textures[i].linear ? "TEXTURE_LINEAR" : "TEXTURE_POINT") << "(gTexture" << i << ", "
              << textureBinding + i << ");\n";
     if (function.inputs > 0)
-        text << "[[vk::binding(" << inputBinding << ")]] StructuredBuffer<float4> gIn;\n";
+        text << "[[vk::binding(" << inputBinding << ")]] "
+             << (function.stage == Stage::compute ? "StructuredBuffer" : "Texture2D") << "<float4> gIn;\n";
     return text.str();
 }
 
 std::string loads(const Function& function) {
     std::ostringstream text;
-    for (int i = 0; i < function.inputs; ++i)
-        text << "    float4 in" << i << " = gIn[row * " << function.inputs << " + " << i << "];\n";
+    for (int i = 0; i < function.inputs; ++i) {
+        text << "    float4 in" << i << " = gIn[";
+        if (function.stage == Stage::compute)
+            text << "row * " << function.inputs << " + " << i << "];\n";
+        else
+            text << "uint2(uint(positionPx.x) * " << function.inputs << " + " << i
+                 << ", uint(positionPx.y))];\n";
+    }
     for (int i = 0; i < function.outputs; ++i)
         text << "    float4 out" << i << " = 0.0;\n";
     return text.str();
@@ -64,7 +71,6 @@ std::string fragmentText(const Function& function) {
     for (int i = 0; i < function.outputs; ++i)
         text << "    float4 target" << i << " : SV_Target" << i << ";\n";
     text << "};\nOutputs mainFragment(float4 positionPx : SV_Position) {\n"
-         << "    uint row = uint(positionPx.y) * " << rowLength << " + uint(positionPx.x);\n"
          << loads(function) << function.body << "\n    Outputs outputs;\n";
     for (int i = 0; i < function.outputs; ++i)
         text << "    outputs.target" << i << " = out" << i << ";\n";

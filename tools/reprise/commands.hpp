@@ -26,6 +26,13 @@ struct ReportOptions {
     std::filesystem::path out = "report";
 };
 
+struct CheckOptions {
+    bool quick = false;
+    std::string function; // empty: all
+    std::string device;
+    std::filesystem::path out = "check.json";
+};
+
 struct PlanOptions {
     reprise::SceneNeeds needs;
     std::string stage = "compute", preset = "best", size = "1920x1080";
@@ -39,6 +46,7 @@ struct RenderOptions {
 };
 
 void reportCommand(const ReportOptions& options);
+void checkCommand(const CheckOptions& options);
 void listCommand();
 void planCommand(const PlanOptions& options);
 void renderCommand(const RenderOptions& options);
