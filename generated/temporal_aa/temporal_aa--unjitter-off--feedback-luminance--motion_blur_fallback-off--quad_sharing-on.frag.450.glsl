@@ -89,7 +89,7 @@ void main()
     vec3 _291 = _276 + (_280 * min(min(_283.x, 1.0), min(_283.y, _283.z)));
     float _292 = dot(_193, vec3(0.2125999927520751953125, 0.715200006961822509765625, 0.072200000286102294921875));
     float _293 = dot(_291, vec3(0.2125999927520751953125, 0.715200006961822509765625, 0.072200000286102294921875));
-    float _303 = 1.0 - (abs(_292 - _293) / max(max(_292, _293), 0.20000000298023223876953125));
-    gOutHistory = vec4(min(_193 + ((_291 - _193) * (all(lessThanEqual(abs(_162 - vec2(0.5)), vec2(0.5))) ? (mix(parameters.gFeedbackMin, parameters.gFeedbackMax, _303 * _303) * parameters.gHistoryValid) : 0.0)), vec3(65504.0)), 1.0);
+    float _304 = max(1.0 - (abs(_292 - _293) / max(max(_292, _293), 0.20000000298023223876953125)), 0.0);
+    gOutHistory = vec4(min(_193 + ((_291 - _193) * (all(lessThanEqual(abs(_162 - vec2(0.5)), vec2(0.5))) ? (mix(parameters.gFeedbackMin, parameters.gFeedbackMax, _304 * _304) * parameters.gHistoryValid) : 0.0)), vec3(65504.0)), 1.0);
 }
 

@@ -147,7 +147,7 @@ std::vector<Row> run(const Bench& bench, const Function& function, const std::ve
         byRows ? (lines + groupSide - 1) / groupSide * groupSide : static_cast<uint32_t>(options.extent.y);
     const FunctionPass pass(function);
     const std::vector<uint32_t> spirv = compileFunction(bench.hlsl, function, options.mutation);
-    const std::vector<VkFormat> formats(pass.outputs.size(), VK_FORMAT_R32G32B32A32_SFLOAT);
+    const std::vector<VkFormat> formats(pass.outputs.size(), harness::formatByName(options.outputFormat));
     harness::PassRunner runner(gpu, {&pass.info, {}}, function.stage, spirv, fullscreenVertex(bench.hlsl),
                                formats);
 
