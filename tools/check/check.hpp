@@ -86,6 +86,9 @@ struct PublicFunction {
 };
 // What the headers of hlsl/reprise define at file scope, by their text; overloads once.
 std::vector<PublicFunction> publicFunctions(const std::filesystem::path& hlsl);
+// Those of the functions that no case runs.
+std::vector<PublicFunction> withoutCase(const std::vector<PublicFunction>& functions,
+                                        const std::vector<Case>& cases);
 
 // Where an error was largest.
 struct Worst {

@@ -28,4 +28,15 @@ std::vector<PublicFunction> publicFunctions(const std::filesystem::path& hlsl) {
     return found;
 }
 
+std::vector<PublicFunction> withoutCase(const std::vector<PublicFunction>& functions,
+                                        const std::vector<Case>& cases) {
+    std::vector<PublicFunction> missing;
+    for (const PublicFunction& function : functions)
+        if (std::none_of(cases.begin(), cases.end(), [&](const Case& each) {
+                return PublicFunction{each.header(), each.function()} == function;
+            }))
+            missing.push_back(function);
+    return missing;
+}
+
 } // namespace check

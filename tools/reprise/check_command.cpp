@@ -2,7 +2,6 @@
 // Numerical stability of every function on the chosen device.
 #include "commands.hpp"
 
-#include "check.hpp"
 #include "progress.hpp"
 
 #include <algorithm>
@@ -69,20 +68,23 @@ std::vector<check::Outcome> runAll(const functions::Bench& bench, const std::vec
     return outcomes;
 }
 
-void throwFailures(const std::vector<check::Outcome>& outcomes) {
+void throwFailures(const std::vector<check::Outcome>& outcomes,
+                   const std::vector<check::PublicFunction>& unchecked) {
     std::vector<std::string> failures;
     for (const check::Outcome& outcome : outcomes)
         if (std::string text = check::failure(outcome); !text.empty()) failures.push_back(text);
+    for (const check::PublicFunction& function : unchecked)
+        failures.push_back(fmt::format("{} of {} has no case", function.name, function.header));
     if (!failures.empty())
         throw std::runtime_error(fmt::format("{} of {} checks do not hold: {}", failures.size(),
-                                             outcomes.size(), fmt::join(failures, "; ")));
+                                             outcomes.size() + unchecked.size(), fmt::join(failures, "; ")));
 }
 
 } // namespace
 
-void checkCommand(const CheckOptions& options) {
+void checkCases(const CheckOptions& options, const std::vector<check::Case>& cases,
+                const std::vector<check::PublicFunction>& unchecked) {
     requirePlace(options.out);
-    const std::vector<check::Case> cases = chosenCases(options.function);
     harness::Gpu gpu(harness::DeviceOptions{.device = options.device, .validation = false});
     const functions::Bench bench{gpu, findAssets().packToml.parent_path()};
     const auto outcomes = runAll(bench, cases, options.quick);
@@ -92,7 +94,13 @@ void checkCommand(const CheckOptions& options) {
             fmt::print("{}\n", line);
     writeWhole(options.out, check::jsonText({gpu.name(), gpu.driver(), gpu.type()}, outcomes, options.quick));
     fmt::print("{}\n", options.out.string());
-    throwFailures(outcomes);
+    std::fflush(stdout);
+    throwFailures(outcomes, unchecked);
+}
+
+void checkCommand(const CheckOptions& options) {
+    const auto functions = check::publicFunctions(findAssets().packToml.parent_path());
+    checkCases(options, chosenCases(options.function), check::withoutCase(functions, check::table()));
 }
 
 } // namespace report
