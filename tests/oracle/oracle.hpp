@@ -3,10 +3,15 @@
 // contracts of the headers. Tests compare with it; it includes nothing of the project.
 #pragma once
 
+#include "bilateral_upsampling.hpp"
 #include "blend.hpp"
+#include "cache_resampling.hpp"
 #include "colour.hpp"
 #include "image.hpp"
 #include "jitter.hpp"
+#include "miss_detection.hpp"
 #include "neighbourhood.hpp"
+#include "refresh.hpp"
 #include "reprojection.hpp"
+#include "reprojection_cache.hpp"
 #include "resampling.hpp"
