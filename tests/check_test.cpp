@@ -108,7 +108,7 @@ TEST(CheckTable, functionsAreFoundInTheTextOfTheHeaders) {
 TEST(CheckTable, everyBoundHasAReasonAndEverySweepAName) {
     std::set<std::string> seen;
     for (const Case& each : table()) {
-        EXPECT_NE(each.bound.reason, "") << each.function();
+        EXPECT_STRNE(each.bound.reason, "") << each.function();
         EXPECT_TRUE(seen.insert(each.function() + " " + each.sweep).second)
             << each.function() << " has two sweeps named " << each.sweep;
     }

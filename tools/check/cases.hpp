@@ -6,11 +6,14 @@
 
 namespace check {
 
+std::vector<Case> bilateralUpsamplingCases();
+std::vector<Case> cacheCases(); // reprojection_cache, cache_resampling, finite
 std::vector<Case> colourCases();
 std::vector<Case> coordinateCases(); // conventions, coordinates
 std::vector<Case> depthCases();      // depth, closest_fragment
 std::vector<Case> feedbackCases();
 std::vector<Case> historyConstraintCases();
+std::vector<Case> missDetectionCases(); // miss_detection, refresh
 std::vector<Case> neighbourhoodCases();
 std::vector<Case> reprojectionCases();
 std::vector<Case> samplingCases(); // jitter, unjitter, motion_blur, resampling, quad_sharing

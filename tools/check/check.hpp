@@ -33,7 +33,7 @@ enum class Unit {
 struct Bound {
     Unit unit = Unit::exact;
     double value = 0.0;
-    std::string reason;
+    const char* reason = "";
 };
 
 // What is right for one output of a row: its first `components` values. `size` is for bounds in roundings;

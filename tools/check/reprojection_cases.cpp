@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cases.hpp"
+#include "reprojections.hpp"
 #include "stiff_projections.hpp"
 #include "sweep.hpp"
-
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace check {
 namespace {
@@ -14,30 +13,6 @@ using functions::Projection;
 const std::string header = "reprise/reprojection.hlsli";
 
 // --- clip coordinates
-
-// Whether a place may come out on either side of the limit of eight images; y may run either way.
-bool isAtLimit(dvec2 ndc, double bound) {
-    for (const double extent : {std::abs(ndc.x), std::abs(ndc.y)})
-        for (const double shift : {-0.5, 0.5})
-            if (std::abs(0.5 * extent + shift - 8.0) <= bound) return true;
-    return false;
-}
-
-constexpr double clipRoundings = 8.0;
-
-// Three roundings and a reciprocal at the size of NDC or of 1. Denormals may be taken for 0, which matters
-// where they are divided by each other.
-Right clipRight(dvec4 clip, bool sharesY) {
-    const bool denormal =
-        (clip.w != 0.0 && std::abs(clip.w) < smallestNormal) ||
-        (std::abs(clip.w) < 1e-25 && glm::any(glm::lessThan(glm::abs(dvec2(clip)), dvec2(1e-37))));
-    if (denormal) return open(2);
-    const dvec2 uv = oracle::clipToUv(clip, sharesY);
-    if (!(clip.w > 0.0)) return right(uv);
-    const dvec2 ndc = dvec2(clip) / clip.w;
-    const double size = 1.0 + std::max(std::abs(ndc.x), std::abs(ndc.y));
-    return isAtLimit(ndc, clipRoundings * roundoff * std::min(size, 32.0)) ? open(2) : right(uv, size);
-}
 
 std::vector<Row> clipPositions(const Effort& effort) {
     const std::vector<float> ws = ofBothSigns(std::vector{0.0f, 1e-40f, 1.17549435e-38f, 1e-30f, 1e30f} +
@@ -133,118 +108,6 @@ std::vector<Case> motions() {
 
 // --- whole reprojections
 
-struct Cameras {
-    Projection projection;
-    oracle::Camera current, previous;
-};
-
-glm::dmat4 randomView(Random& random, double angle, double distance) {
-    const glm::dvec3 axis = glm::normalize(glm::dvec3(random.in(-1, 1), 2.0, random.in(-1, 1)));
-    const glm::dvec3 move(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
-    return glm::rotate(glm::dmat4(1.0), angle * random.in(-1, 1), axis) *
-           glm::translate(glm::dmat4(1.0), distance * move);
-}
-
-// Between the frames the camera stands still, turns and moves a little, zooms, or is cut to elsewhere, the
-// place behind it included. Worlds away from the origin are moved there: views hold no more than 100 m.
-Cameras randomCameras(Random& random, const Projection& projection) {
-    const size_t kind = random.below(4);
-    Cameras made{projection, {randomView(random, 3.0, 100.0), projection.matrix}, {}};
-    made.previous = made.current;
-    if (kind > 0)
-        made.previous.worldToView =
-            randomView(random, kind == 3 ? 3.0 : 0.05, kind == 3 ? 20.0 : 0.3) * made.current.worldToView;
-    if (kind == 2) {
-        made.previous.viewToClip[0][0] *= 1.1;
-        made.previous.viewToClip[1][1] *= 1.1;
-    }
-    return made;
-}
-
-glm::dmat4 matrixOf(const Row& in) {
-    return {dvec4(in[0]), dvec4(in[1]), dvec4(in[2]), dvec4(in[3])};
-}
-
-constexpr double matrixRoundings = 12.0;
-
-// The matrix is stored in binary32 and multiplied there: each component of the clip position errs by some ten
-// roundings at the sum of its absolute products; `sizes` are what the point's coordinates were rounded at.
-// Divided by w, that is what uv errs by. Where w is not clear of its own error, any place is right.
-Right nearClip(const glm::dmat4& m, dvec4 point, dvec4 sizes, dvec2 uv) {
-    dvec4 sums(0.0);
-    for (int c = 0; c < 4; ++c)
-        sums += glm::abs(m[c] * sizes[c]);
-    const dvec4 clip = m * point, error = matrixRoundings * roundoff * sums;
-    if (std::abs(clip.w) <= 2.0 * error.w) return open(2);
-    if (clip.w < 0.0) return right(uv);
-    const double ndc = std::max(std::abs(clip.x), std::abs(clip.y)) / clip.w;
-    const double bound = (std::max(error.x, error.y) + ndc * error.w) / (clip.w - error.w) +
-                         (divisionError + 4.0 * roundoff) * (1.0 + ndc);
-    if (isAtLimit(dvec2(clip) / clip.w, bound)) return open(2);
-    return right(uv, bound / (matrixRoundings * roundoff));
-}
-
-void push(Row& row, const glm::dmat4& m) {
-    for (int column = 0; column < 4; ++column)
-        row.push_back(vec4(m[column]));
-}
-
-struct Reprojections {
-    std::vector<Cameras> cameras;
-    std::vector<Row> rows; // matrix, (uv, depth, number of the cameras), view rays if the depth is linear
-};
-
-dvec4 viewRays(const Projection& projection) {
-    const auto ray = [&](dvec2 uv) {
-        return dvec2(oracle::viewPoint(oracle::uvToNdc(uv), 1.0, projection.matrix));
-    };
-    return {ray({1, 1}) - ray({0, 0}), ray({0, 0})};
-}
-
-std::shared_ptr<Reprojections> reprojections(const std::vector<Projection>& projections, const Effort& effort,
-                                             bool device) {
-    auto made = std::make_shared<Reprojections>();
-    Random random(3);
-    const std::vector<float> oddDepths{0.0f, 1.0f, 1e-40f, 1e-30f, 0.99999994f};
-    for (size_t i = 0; i < effort.of(4000); ++i) {
-        const Projection& projection = projections[i % projections.size()];
-        const Cameras cameras = randomCameras(random, projection);
-        Row start;
-        glm::dmat4 m = cameras.previous.viewToClip * cameras.previous.worldToView *
-                       glm::inverse(cameras.current.worldToView);
-        push(start, device ? m * glm::inverse(cameras.current.viewToClip) : m);
-        const std::vector<double> depths = depthsOf(projection, 25);
-        for (size_t k = 0; k < depths.size(); ++k) {
-            Row row = start;
-            float depth =
-                static_cast<float>(device ? oracle::deviceDepth(depths[k], projection.matrix) : depths[k]);
-            if (device && k % 5 == 0) depth = oddDepths[k / 5];
-            row.push_back(vec4(random.unit(), random.unit(), depth, made->cameras.size()));
-            if (!device) row.push_back(vec4(viewRays(projection)));
-            made->rows.push_back(row);
-        }
-        made->cameras.push_back(cameras);
-    }
-    return made;
-}
-
-Right deviceRight(const Row& in, const Cameras& cameras) {
-    const dvec2 uv = oracle::reprojectDeviceDepth(xy(in[4]), in[4].z, cameras.current, cameras.previous);
-    const dvec4 point(oracle::uvToNdc(xy(in[4])), in[4].z, 1.0);
-    // uv - 1/2 is rounded at 1/2, so NDC at 1.
-    return nearClip(matrixOf(in), point, glm::max(glm::abs(point), dvec4(1, 1, 0, 1)), uv);
-}
-
-Right linearRight(const Row& in, const Cameras& cameras) {
-    const dvec2 uv = oracle::reprojectLinearDepth(xy(in[4]), in[4].z, cameras.current, cameras.previous);
-    const dvec4 point = oracle::viewPoint(oracle::uvToNdc(xy(in[4])), in[4].z, cameras.projection.matrix);
-    // The ray is rounded at the size of its extent and its origin, not at its own.
-    const dvec4 rays = glm::abs(viewRays(cameras.projection));
-    const double scale = cameras.projection.orthographic ? 1.0 : point.z;
-    return nearClip(matrixOf(in), point,
-                    dvec4(scale * (rays.x + rays.z), scale * (rays.y + rays.w), point.z, 1.0), uv);
-}
-
 const std::string byDevice = "out0.xy = reprojectDeviceDepth(in4.xy, in4.z, float4x4(in0, in1, in2, in3));";
 const std::string byLinear =
     "out0.xy = reprojectLinearDepth(in4.xy, in4.z, in5, float4x4(in0, in1, in2, in3));";
@@ -259,8 +122,9 @@ std::vector<Case> ofKind(const std::string& kind, const std::vector<Projection>&
         return [=](const Effort& effort) {
             const auto made = reprojections(projections, effort, device);
             return Sweep{made->rows, [made, device](const Row& in) {
-                             const Cameras& cameras = made->cameras[static_cast<size_t>(in[4].w)];
-                             return std::vector{device ? deviceRight(in, cameras) : linearRight(in, cameras)};
+                             const MovedCamera& camera = made->cameras[static_cast<size_t>(in[4].w)];
+                             return std::vector{device ? placeFromDevice(in, camera)
+                                                       : placeFromLinear(in, camera)};
                          }};
         };
     };

@@ -7,8 +7,9 @@ namespace check {
 
 std::vector<Case> table() {
     std::vector<Case> all;
-    for (const auto group : {colourCases, coordinateCases, depthCases, feedbackCases, historyConstraintCases,
-                             neighbourhoodCases, reprojectionCases, samplingCases})
+    for (const auto group :
+         {bilateralUpsamplingCases, cacheCases, colourCases, coordinateCases, depthCases, feedbackCases,
+          historyConstraintCases, missDetectionCases, neighbourhoodCases, reprojectionCases, samplingCases})
         for (Case& each : group())
             all.push_back(std::move(each));
     std::stable_sort(all.begin(), all.end(),
