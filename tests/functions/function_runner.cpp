@@ -259,7 +259,7 @@ std::vector<Row> run(const Function& function, const std::vector<Row>& inputs, c
         compute ? (lines + groupSide - 1) / groupSide * groupSide : static_cast<uint32_t>(options.extent.y);
     const FunctionPass pass(function);
     const std::vector<uint32_t> spirv = compileFunction(function, options.mutation);
-    const std::vector<VkFormat> formats(pass.outputs.size(), VK_FORMAT_R32G32B32A32_SFLOAT);
+    const std::vector<VkFormat> formats(pass.outputs.size(), harness::formatByName(options.outputFormat));
     harness::PassRunner runner(gpu(), {&pass.info, {}}, function.stage, spirv, fullscreenVertex(), formats);
 
     std::deque<harness::Image> textures;

@@ -52,8 +52,9 @@ struct Mutation {
 };
 
 struct RunOptions {
-    Mutation mutation = {};  // none if its header is empty
-    glm::ivec2 extent{0, 0}; // fragment: of the output
+    Mutation mutation = {};               // none if its header is empty
+    glm::ivec2 extent{0, 0};              // fragment: of the output
+    std::string outputFormat = "rgba32f"; // what the device stores and the rows are read back from
 };
 
 // One row of outputs for each row of inputs, or for each pixel. Throws what does not compile or what the

@@ -5,6 +5,7 @@
 
 #include "blend.hpp"
 #include "colour.hpp"
+#include "exponential_history.hpp"
 #include "image.hpp"
 #include "jitter.hpp"
 #include "neighbourhood.hpp"
