@@ -3,6 +3,7 @@
 // contracts of the headers. Tests compare with it; it includes nothing of the project.
 #pragma once
 
+#include "binary16.hpp"
 #include "blend.hpp"
 #include "colour.hpp"
 #include "exponential_history.hpp"
