@@ -10,5 +10,6 @@
 #include "image.hpp"
 #include "jitter.hpp"
 #include "neighbourhood.hpp"
+#include "packing.hpp"
 #include "reprojection.hpp"
 #include "resampling.hpp"
