@@ -6,6 +6,7 @@
 #include "binary16.hpp"
 #include "blend.hpp"
 #include "colour.hpp"
+#include "directional_bilateral.hpp"
 #include "exponential_history.hpp"
 #include "image.hpp"
 #include "jitter.hpp"
