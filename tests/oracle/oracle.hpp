@@ -14,3 +14,4 @@
 #include "packing.hpp"
 #include "reprojection.hpp"
 #include "resampling.hpp"
+#include "tone_mapping.hpp"
