@@ -10,7 +10,7 @@ layout(binding = 0, std140) uniform CameraVelocityParameters
 
 layout(binding = 1) uniform sampler2D gInDepth;
 
-layout(location = 0) out vec2 gOutVelocity;
+layout(location = 0) out vec4 gOutVelocity;
 
 void main()
 {
@@ -20,6 +20,6 @@ void main()
     vec4 _70 = parameters.gReprojection * vec4(fma(_58, parameters.gViewRay.xy, parameters.gViewRay.zw) * _54, _54, 1.0);
     float _71 = _70.w;
     vec2 _76 = fma(_70.xy * (1.0 / _71), vec2(0.5, -0.5), vec2(0.5));
-    gOutVelocity = _58 - mix(vec2(-8.0), _76, bvec2((_71 > 0.0) && all(lessThanEqual(abs(_76), vec2(8.0)))));
+    gOutVelocity = vec4(_58 - mix(vec2(-8.0), _76, bvec2((_71 > 0.0) && all(lessThanEqual(abs(_76), vec2(8.0))))), 0.0, 0.0);
 }
 

@@ -12,7 +12,7 @@ layout(std140) uniform CameraVelocityParameters
 
 uniform highp sampler2D gInDepth;
 
-layout(location = 0) out vec2 gOutVelocity;
+layout(location = 0) out vec4 gOutVelocity;
 
 void main()
 {
@@ -23,6 +23,6 @@ void main()
     float _71 = _70.w;
     vec2 _76 = (_70.xy * (1.0 / _71)) * vec2(0.5, -0.5) + vec2(0.5);
     bvec2 _81 = bvec2((_71 > 0.0) && all(lessThanEqual(abs(_76), vec2(8.0))));
-    gOutVelocity = _58 - vec2(_81.x ? _76.x : vec2(-8.0).x, _81.y ? _76.y : vec2(-8.0).y);
+    gOutVelocity = vec4(_58 - vec2(_81.x ? _76.x : vec2(-8.0).x, _81.y ? _76.y : vec2(-8.0).y), 0.0, 0.0);
 }
 

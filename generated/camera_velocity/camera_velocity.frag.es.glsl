@@ -12,7 +12,7 @@ layout(std140) uniform CameraVelocityParameters
 
 uniform highp sampler2D gInDepth;
 
-layout(location = 0) out vec2 gOutVelocity;
+layout(location = 0) out vec4 gOutVelocity;
 
 void main()
 {
@@ -21,6 +21,6 @@ void main()
     float _69 = _68.w;
     vec2 _74 = (_68.xy * (1.0 / _69)) * vec2(0.5, -0.5) + vec2(0.5);
     bvec2 _79 = bvec2((_69 > 0.0) && all(lessThanEqual(abs(_74), vec2(8.0))));
-    gOutVelocity = _60 - vec2(_79.x ? _74.x : vec2(-8.0).x, _79.y ? _74.y : vec2(-8.0).y);
+    gOutVelocity = vec4(_60 - vec2(_79.x ? _74.x : vec2(-8.0).x, _79.y ? _74.y : vec2(-8.0).y), 0.0, 0.0);
 }
 

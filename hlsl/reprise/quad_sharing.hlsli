@@ -16,6 +16,9 @@ float2 quadSide(float2 positionPx) {
 
 #if STAGE_COMPUTE
 
+// Shader model 5 has no quad operations: there only who asks for them meets the compiler's refusal.
+#if !PLATFORM_D3D11 || QUAD_SHARING
+
 // The value of the other invocation in the row.
 float2 quadSwapX(float2 value, float2 side) {
     return QuadReadAcrossX(value);
@@ -24,6 +27,8 @@ float2 quadSwapX(float2 value, float2 side) {
 float3 quadSwapX(float3 value, float2 side) {
     return QuadReadAcrossX(value);
 }
+
+#endif
 
 #else
 
