@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench.hpp"
 
+#include "viewport_shift.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -89,7 +91,8 @@ oracle::Image oracleImage(const Pixels& pixels) {
 }
 
 harness::Gpu& gpu() {
-    static harness::Gpu instance({.device = "", .validation = true});
+    static harness::Gpu instance(
+        {.device = "", .validation = true, .getInstanceProcAddr = getInstanceProcAddrForShift});
     return instance;
 }
 
@@ -145,10 +148,11 @@ Pass::Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputForm
     : Pass(variant, stage, std::move(outputFormats), spirvOf(from, variant, stage, platform)) {}
 
 Pass::Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats,
-           std::span<const uint32_t> spirv)
+           std::span<const uint32_t> spirv, std::span<const uint32_t> vertexSpirv)
     : variant_(variant), outputNames_(outputNames(variant)),
       outputFormats_(outputFormats.empty() ? tableFormats(variant) : std::move(outputFormats)),
-      runner_(gpu(), variant, stage, spirv, fullscreenSpirv(), outputFormats_) {}
+      runner_(gpu(), variant, stage, spirv, vertexSpirv.empty() ? fullscreenSpirv() : vertexSpirv,
+              outputFormats_) {}
 
 std::vector<Pixels> Pass::run(std::span<const NamedPixels> inputs, std::span<const std::byte> parameters,
                               int width, int height) {

@@ -55,8 +55,9 @@ class Pass {
 public:
     Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats = {},
          const reprisec::Pack& from = pack(), const PlatformSwitches& platform = {});
+    // Drawn by `vertexSpirv` in place of the pass fullscreen's.
     Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats,
-         std::span<const uint32_t> spirv);
+         std::span<const uint32_t> spirv, std::span<const uint32_t> vertexSpirv = {});
 
     const Variant& variant() const { return variant_; }
     // The outputs of the variant in table order. Inputs that the variant has not are passed over. Before the
