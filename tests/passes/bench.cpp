@@ -211,6 +211,17 @@ double unitHash(uint64_t seed, uint64_t a, uint64_t b, uint64_t c) {
     return static_cast<double>(hashOf(seed, a, b, c) >> 11) * 0x1p-53;
 }
 
+Pixels highContrastNoise(VkFormat format, int width, int height, uint64_t seed) {
+    return makePixels(format, width, height, [seed](int x, int y) {
+        Texel texel{};
+        for (size_t c = 0; c < 4; ++c) {
+            const double u = unitHash(seed, static_cast<uint64_t>(x), static_cast<uint64_t>(y), c);
+            texel[c] = static_cast<float>(u < 0.5 ? 0.25 * u : 0.75 + 0.25 * u);
+        }
+        return texel;
+    });
+}
+
 double storeError(VkFormat format, double value) {
     // Below the normal range the step of a half float is 2^-24.
     return isHalf(format) ? std::max(std::abs(value) * 0x1p-10, 0x1p-24) : std::abs(value) * 0x1p-23 + 1e-37;
