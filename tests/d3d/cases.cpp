@@ -130,7 +130,7 @@ std::vector<Texture> texturesOf(const Variant& variant, const Scene& scene) {
     return textures;
 }
 
-// The pack of the runtime's structs has the layout of a constant buffer.
+// The runtime's structs of parameters have the layout of a constant buffer.
 Run startRun(const Case& which, const Scene& scene) {
     Run run;
     run.version = which.platform->version;
@@ -172,10 +172,9 @@ Run passRun(const Case& which, const Variant& variant, const Scene& scene) {
         return run;
     }
     run.vertexShader = which.shaders.front().name;
-    const bool hasVertexNumber = run.version > 9;
     run.vertices = scene.vertices;
-    if (run.vertices.bytes.empty() && !hasVertexNumber) run.vertices = fullscreenCorners();
     if (run.version == 9) {
+        if (run.vertices.bytes.empty()) run.vertices = fullscreenCorners();
         run.constants = constantsOf(variant, scene);
         run.constants.push_back({true, "gOutputSize", outputSize(scene)});
     }
@@ -242,20 +241,28 @@ std::vector<Variant> variantsFor(const Platform& platform, const reprise::PassIn
     return variants;
 }
 
-Case screenCopyCase(const Platform& platform, const fs::path& directory, const Control* control) {
-    Case made{"screen_copy", &platform, Stage::fragment, nullptr, control, {}, {}};
-    for (const Stage stage : {Stage::vertex, Stage::fragment})
-        made.shaders.push_back(ownShader(platform, "screen_copy", stage, directory, control));
-    const Scene scene = screenCopyScene();
+// A shader that is none of the table's, with one texture read with a linear filter.
+Case ownCase(const Platform& platform, const Shader& vertex, const Shader& fragment, const std::string& title,
+             const Scene& scene, const Control* control) {
+    Case made{title, &platform, Stage::fragment, nullptr, control, {vertex, fragment}, {}};
     Run run = startRun(made, scene);
-    run.vertexShader = made.shaders[0].name;
-    run.shader = made.shaders[1].name;
+    run.vertexShader = vertex.name;
+    run.shader = fragment.name;
     run.targets = targetsOf(scene, 1);
     run.textures = {{0, true, scene.images[0].pixels}};
     run.vertices = scene.vertices;
-    if (run.version == 9) run.constants = {{true, "gOutputSize", outputSize(scene)}};
+    if (run.version == 9) {
+        if (run.vertices.bytes.empty()) run.vertices = fullscreenCorners();
+        run.constants = {{true, "gOutputSize", outputSize(scene)}};
+    }
     made.runs.push_back({run, scene});
     return made;
+}
+
+Case screenCopyCase(const Platform& platform, const fs::path& directory, const Control* control) {
+    return ownCase(platform, ownShader(platform, "screen_copy", Stage::vertex, directory, control),
+                   ownShader(platform, "screen_copy", Stage::fragment, directory, control), "screen_copy",
+                   screenCopyScene(), control);
 }
 
 void addControls(std::vector<Case>& cases, const Platform& platform, const fs::path& directory) {
@@ -344,21 +351,8 @@ std::vector<Case> allCases(const fs::path& directory) {
 }
 
 Case rampCase(const Platform& platform) {
-    Case made{"ramp", &platform, Stage::fragment, nullptr, nullptr, {}, {}};
-    made.shaders = {fullscreenVertex(platform, {}, nullptr),
-                    ownShader(platform, "ramp", Stage::fragment, {}, nullptr)};
-    const Scene scene = rampScene();
-    Run run = startRun(made, scene);
-    run.vertexShader = made.shaders[0].name;
-    run.shader = made.shaders[1].name;
-    run.targets = targetsOf(scene, 1);
-    run.textures = {{0, true, scene.images[0].pixels}};
-    if (run.version == 9) {
-        run.vertices = fullscreenCorners();
-        run.constants = {{true, "gOutputSize", outputSize(scene)}};
-    }
-    made.runs.push_back({run, scene});
-    return made;
+    return ownCase(platform, fullscreenVertex(platform, {}, nullptr),
+                   ownShader(platform, "ramp", Stage::fragment, {}, nullptr), "ramp", rampScene(), nullptr);
 }
 
 std::vector<Shader> headerJobs(const Platform& platform) {

@@ -4,13 +4,18 @@
 #include "cases.hpp"
 
 #include <algorithm>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 namespace {
 
 using namespace d3d;
 
 void prepare(const fs::path& directory) {
+    const bool isOwn =
+        !fs::exists(directory) || fs::is_empty(directory) || fs::exists(directory / "jobs.txt");
+    if (!isOwn)
+        throw std::runtime_error(directory.string() + " holds something else; give another directory");
     fs::remove_all(directory);
     fs::create_directories(directory);
     writeControls(directory);
@@ -30,7 +35,7 @@ void prepare(const fs::path& directory) {
             jobs.add(run.run);
             ++runs;
         }
-    std::printf("%zu cases, %zu runs\n", cases.size(), runs);
+    fmt::print("{} cases, {} runs\n", cases.size(), runs);
 }
 
 struct Count {
@@ -41,27 +46,29 @@ struct Count {
     }
 };
 
-// Below these a device could not show the half pixel that is looked for: an eighth of a bit of an 8-bit
-// weight, and 1/1024 px.
+// A device that errs by more could not show the half pixel that is looked for: a step of an 8-bit weight, and
+// 1/1024 px.
 constexpr double mostFilterErrorPx = 0x1p-8, mostInterpolationErrorPx = 0x1p-10;
 
 DeviceErrors measure(const Platform& platform, const std::vector<Case>& cases, const Results& results,
                      Count& count) {
+    const std::string report = results.of("device", std::to_string(platform.version));
+    if (!report.starts_with("ok "))
+        throw std::runtime_error(fmt::format("there is no Direct3D {} device: {}", platform.version, report));
     const DeviceErrors errors = errorsOf(platform, cases, results);
     const double interpolationPx = errors.largestInterpolationPx();
     const bool fits =
         count.add(errors.filterPx <= mostFilterErrorPx && interpolationPx <= mostInterpolationErrorPx);
-    const std::string report = results.of("device", std::to_string(platform.version));
-    std::printf("Direct3D %d on %s: linear filter within %.1e px, positions within %.1e px%s\n",
-                platform.version, report.starts_with("ok ") ? report.substr(3).c_str() : report.c_str(),
-                errors.filterPx, interpolationPx, fits ? "" : ": FAILED, too coarse to judge with");
+    fmt::print("Direct3D {} on {}: linear filter within {:.1e} px, positions within {:.1e} px{}\n",
+               platform.version, report.substr(3), errors.filterPx, interpolationPx,
+               fits ? "" : ": FAILED, too coarse to judge with");
     return errors;
 }
 
 // The first columns of a row; names are as wide as the longest.
-void printStart(const std::string& name, size_t width, std::string_view platform, std::string_view profile) {
-    std::printf("%-*s  %-5s  %-6s  ", static_cast<int>(width), name.c_str(), std::string(platform).c_str(),
-                std::string(profile).c_str());
+std::string rowStart(std::string_view name, size_t width, std::string_view platform,
+                     std::string_view profile) {
+    return fmt::format("{:<{}}  {:<5}  {:<6}  ", name, width, platform, profile);
 }
 
 std::string nameOf(const Case& which) {
@@ -70,17 +77,16 @@ std::string nameOf(const Case& which) {
 
 void printCase(const Case& which, const Verdict& verdict, size_t width) {
     const Platform& platform = *which.platform;
-    printStart(nameOf(which), width, platform.name,
-               profileOf(platform, which.stage == Stage::vertex ? Stage::fragment : which.stage));
-    std::printf("%-16s", verdict.result.c_str());
+    const auto profile = profileOf(platform, which.stage == Stage::vertex ? Stage::fragment : which.stage);
+    fmt::print("{}{:<16}", rowStart(nameOf(which), width, platform.name, profile), verdict.result);
     const passes::Comparison& found = verdict.comparison;
     if (which.control && verdict.passed)
-        std::printf("  %zu of %zu pixels wrong", found.outside, found.pixels);
+        fmt::print("  {} of {} pixels wrong", found.outside, found.pixels);
     else if (found.pixels > 0)
-        std::printf("  %.1e (bound %.1e), %zu pixels", verdict.first.largestError, verdict.first.boundThere,
-                    found.pixels);
-    std::printf("\n");
-    if (!verdict.passed) std::printf("    %s\n", verdict.detail.c_str());
+        fmt::print("  {:.1e} (bound {:.1e}), {} pixels", verdict.first.largestError, verdict.first.boundThere,
+                   found.pixels);
+    fmt::print("\n");
+    if (!verdict.passed) fmt::print("    {}\n", verdict.detail);
 }
 
 // Functions that compile, and those listed as not expressible that the compiler refuses for that reason.
@@ -96,37 +102,34 @@ void judgeHeader(const Platform& platform, const Shader& job, size_t width, cons
         const bool ok = said.starts_with("ok");
         const bool expected = exception ? !ok && said.find(exception->compilerSays) != std::string::npos : ok;
         ++(ok ? compiled : refused);
-        if (!count.add(expected)) detail += "    " + signature + ": " + said + "\n";
+        if (!count.add(expected)) detail += fmt::format("    {}: {}\n", signature, said);
     }
-    printStart(job.name.substr(job.name.find('.') + 1), width, platform.name, platform.fragmentProfile);
-    std::printf("%s%zu functions", detail.empty() ? "" : "FAILED, ", compiled);
-    if (refused > 0) std::printf(", %zu not expressible", refused);
-    std::printf("\n%s", detail.c_str());
+    fmt::print(
+        "{}{}{} functions{}\n{}",
+        rowStart(job.name.substr(job.name.find('.') + 1), width, platform.name, platform.fragmentProfile),
+        detail.empty() ? "" : "FAILED, ", compiled,
+        refused > 0 ? fmt::format(", {} not expressible", refused) : "", detail);
 }
 
 // Rows that no longer name anything are wrong as well.
 void judgeExceptions(const std::vector<Case>& cases, const Results& results, Count& count) {
-    std::printf("\nNot expressible, each refused by the compiler:\n");
+    const auto stale = [&](bool names) { return count.add(names) ? "" : " (FAILED: the row names nothing)"; };
+    fmt::print("\nNot expressible, each refused by the compiler:\n");
     for (const Exception& row : exceptions()) {
         const auto variants =
             std::ranges::count_if(cases, [&](const Case& each) { return each.exception == &row; });
-        std::printf("  %s under %s = %s, %s, d3d%d, %td variants%s: %s\n", std::string(row.pass).c_str(),
-                    std::string(row.condition.switchName).c_str(), std::string(row.condition.value).c_str(),
-                    std::string(reprise::stageName(row.stage)).c_str(), row.version, variants,
-                    count.add(variants > 0) ? "" : " (FAILED: the row names nothing)",
-                    std::string(row.reason).c_str());
+        fmt::print("  {} under {} = {}, {}, d3d{}, {} variants{}: {}\n", row.pass, row.condition.switchName,
+                   row.condition.value, reprise::stageName(row.stage), row.version, variants,
+                   stale(variants > 0), row.reason);
     }
     for (const HeaderException& row : headerExceptions()) {
-        bool found = false;
-        for (const auto& [signature, said] :
-             results.functions("d3d" + std::to_string(row.version) + "." + std::string(row.header)))
-            found = found || signature == row.function;
-        std::printf("  %s of %s, d3d%d%s: %s\n", std::string(row.function).c_str(),
-                    std::string(row.header).c_str(), row.version,
-                    count.add(found) ? "" : " (FAILED: the row names nothing)",
-                    std::string(row.reason).c_str());
+        const auto functions = results.functions(fmt::format("d3d{}.{}", row.version, row.header));
+        const bool names = std::ranges::any_of(
+            functions, [&](const auto& function) { return function.first == row.function; });
+        fmt::print("  {} of {}, d3d{}{}: {}\n", row.function, row.header, row.version, stale(names),
+                   row.reason);
     }
-    std::printf(
+    fmt::print(
         "  compute, d3d9: shader model 3 has none; every pass with a compute form has a fragment form\n");
 }
 
@@ -140,22 +143,20 @@ int judgeAll(const fs::path& directory) {
     size_t width = 0;
     for (const Case& each : cases)
         width = std::max(width, nameOf(each).size());
-    std::printf("\n");
-    printStart("pass and switches", width, "", "");
-    std::printf("%-16s  %s\n", "result", "worst error at 64x64; pixels compared at all sizes");
+    fmt::print("\n{}{:<16}  worst error at 64x64; pixels compared at all sizes\n",
+               rowStart("pass and switches", width, "", ""), "result");
     for (const Case& each : cases) {
         const Verdict verdict = judge(each, results, errors[each.platform->version]);
         count.add(verdict.passed);
         printCase(each, verdict, width);
     }
-    std::printf("\n");
-    printStart("header, and the switch that is on", width, "", "");
-    std::printf("compiled, each function called by a shader of its own\n");
+    fmt::print("\n{}compiled, each function called by a shader of its own\n",
+               rowStart("header, and the switch that is on", width, "", ""));
     for (const Platform& platform : platforms)
         for (const Shader& job : headerJobs(platform))
             judgeHeader(platform, job, width, results, count);
     judgeExceptions(cases, results, count);
-    std::printf("\n%zu passed, %zu failed\n", count.passed, count.failed);
+    fmt::print("\n{} passed, {} failed\n", count.passed, count.failed);
     return count.failed == 0 && count.passed > 0 ? 0 : 1;
 }
 
@@ -167,9 +168,9 @@ int main(int argc, char** argv) {
         if (command == "judge") return judgeAll(argv[2]);
         if (command == "prepare") return prepare(argv[2]), 0;
     } catch (const std::exception& failure) {
-        std::fprintf(stderr, "d3d_cases: %s\n", failure.what());
+        fmt::print(stderr, "d3d_cases: {}\n", failure.what());
         return 1;
     }
-    std::fprintf(stderr, "usage: d3d_cases prepare|judge DIRECTORY\n");
+    fmt::print(stderr, "usage: d3d_cases prepare|judge DIRECTORY\n");
     return 1;
 }

@@ -35,8 +35,8 @@ constexpr HeaderException headerExceptionRows[] = {
 constexpr std::string_view offsetLine =
     "    positionCS.xy += float2(-texelSize.x, texelSize.y) * positionCS.w;\n";
 
-// Without vertex numbers, constants of its own or a listing, Direct3D 11's forms know nothing of an offset,
-// so each is given one: half a pixel of 64x64, the extent at which controls run.
+// In Direct3D 11 the full-screen triangle does not call the function and no pass has a size to give it, so
+// the control hands them one: 64x64, the extent at which controls run.
 const std::vector<Control>& controlRows() {
     static const std::vector<Control> rows = {
         {9, "uncorrected", "no half-pixel offset", {{"reprise/half_pixel.hlsli", offsetLine, ""}}},
