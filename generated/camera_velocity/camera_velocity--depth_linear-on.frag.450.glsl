@@ -10,7 +10,7 @@ layout(binding = 0, std140) uniform CameraVelocityParameters
 
 layout(binding = 1) uniform sampler2D gInDepth;
 
-layout(location = 0) out vec2 gOutVelocity;
+layout(location = 0) out vec4 gOutVelocity;
 
 void main()
 {
@@ -18,6 +18,6 @@ void main()
     vec4 _74 = ((parameters.gReprojection * vec4(fma(_59, parameters.gViewRay.xy, parameters.gViewRay.zw) * 1.0, 1.0, 0.0)) * textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0).x) + (parameters.gReprojection * vec4(0.0, 0.0, 0.0, 1.0));
     float _75 = _74.w;
     vec2 _80 = fma(_74.xy * (1.0 / _75), vec2(0.5, -0.5), vec2(0.5));
-    gOutVelocity = _59 - mix(vec2(-8.0), _80, bvec2((_75 > 0.0) && all(lessThanEqual(abs(_80), vec2(8.0)))));
+    gOutVelocity = vec4(_59 - mix(vec2(-8.0), _80, bvec2((_75 > 0.0) && all(lessThanEqual(abs(_80), vec2(8.0))))), 0.0, 0.0);
 }
 

@@ -12,7 +12,7 @@ layout(std140) uniform CameraVelocityParameters
 
 uniform highp sampler2D gInDepth;
 
-layout(location = 0) out vec2 gOutVelocity;
+layout(location = 0) out vec4 gOutVelocity;
 
 void main()
 {
@@ -21,6 +21,6 @@ void main()
     float _75 = _74.w;
     vec2 _80 = (_74.xy * (1.0 / _75)) * vec2(0.5, -0.5) + vec2(0.5);
     bvec2 _85 = bvec2((_75 > 0.0) && all(lessThanEqual(abs(_80), vec2(8.0))));
-    gOutVelocity = _59 - vec2(_85.x ? _80.x : vec2(-8.0).x, _85.y ? _80.y : vec2(-8.0).y);
+    gOutVelocity = vec4(_59 - vec2(_85.x ? _80.x : vec2(-8.0).x, _85.y ? _80.y : vec2(-8.0).y), 0.0, 0.0);
 }
 

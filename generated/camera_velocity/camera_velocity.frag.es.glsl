@@ -12,7 +12,7 @@ layout(std140) uniform CameraVelocityParameters
 
 uniform highp sampler2D gInDepth;
 
-layout(location = 0) out vec2 gOutVelocity;
+layout(location = 0) out vec4 gOutVelocity;
 
 void main()
 {
@@ -21,6 +21,6 @@ void main()
     float _70 = _69.w;
     vec2 _75 = (_69.xy * (1.0 / _70)) * vec2(0.5, -0.5) + vec2(0.5);
     bvec2 _80 = bvec2((_70 > 0.0) && all(lessThanEqual(abs(_75), vec2(8.0))));
-    gOutVelocity = _62 - vec2(_80.x ? _75.x : vec2(-8.0).x, _80.y ? _75.y : vec2(-8.0).y);
+    gOutVelocity = vec4(_62 - vec2(_80.x ? _75.x : vec2(-8.0).x, _80.y ? _75.y : vec2(-8.0).y), 0.0, 0.0);
 }
 

@@ -4,7 +4,7 @@ precision highp int;
 
 in vec4 varying0;
 in vec4 varying1;
-layout(location = 0) out vec2 gOutVelocity;
+layout(location = 0) out vec4 gOutVelocity;
 
 void main()
 {
@@ -12,6 +12,6 @@ void main()
     bvec2 _38 = bvec2((varying0.w > 0.0) && all(lessThanEqual(abs(_33), vec2(8.0))));
     vec2 _45 = (varying1.xy * (1.0 / varying1.w)) * vec2(0.5, -0.5) + vec2(0.5);
     bvec2 _50 = bvec2((varying1.w > 0.0) && all(lessThanEqual(abs(_45), vec2(8.0))));
-    gOutVelocity = vec2(_38.x ? _33.x : vec2(-8.0).x, _38.y ? _33.y : vec2(-8.0).y) - vec2(_50.x ? _45.x : vec2(-8.0).x, _50.y ? _45.y : vec2(-8.0).y);
+    gOutVelocity = vec4(vec2(_38.x ? _33.x : vec2(-8.0).x, _38.y ? _33.y : vec2(-8.0).y) - vec2(_50.x ? _45.x : vec2(-8.0).x, _50.y ? _45.y : vec2(-8.0).y), 0.0, 0.0);
 }
 

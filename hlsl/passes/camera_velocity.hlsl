@@ -12,7 +12,7 @@
 #include "reprise/platform.hlsli"
 #include "reprise/reprojection.hlsli"
 
-[[vk::binding(0)]] cbuffer CameraVelocityParameters {
+BINDING(0) cbuffer CameraVelocityParameters {
     row_major float4x4 gReprojection;  // NDC and device depth, or view space (DEPTH_LINEAR), to prev clip
     float4 gViewRay;                   // DEPTH_LINEAR: extent and origin of the view rays, see viewPosition()
     float4 gOutputSize;                // width, height, 1 / width, 1 / height
@@ -33,7 +33,7 @@ float2 cameraMotion(float2 uv, float depth) {
 
 #if STAGE_COMPUTE
 
-[[vk::binding(16)]] RWTexture2D<float4> gOutVelocity;
+BINDING(16) RWTexture2D<float4> gOutVelocity;
 
 [numthreads(16, 16, 1)]   // 8x8 take a GPU almost twice as long
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
@@ -44,9 +44,10 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
 
 #else
 
-float2 mainFragment(float4 positionPx : SV_Position) : SV_Target0 {
+// Four components, for shader model 3 takes no fewer.
+float4 mainFragment(float4 positionPx : POSITION_PX) : SV_Target0 {
     float2 uv = pxToUv(positionPx.xy, gOutputSize.zw);
-    return cameraMotion(uv, SAMPLE(gInDepth, uv).r);
+    return float4(cameraMotion(uv, SAMPLE(gInDepth, uv).r), 0.0, 0.0);
 }
 
 #endif

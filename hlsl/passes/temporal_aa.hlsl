@@ -29,7 +29,7 @@
 #include "reprise/resampling.hlsli"
 #include "reprise/unjitter.hlsli"
 
-[[vk::binding(0)]] cbuffer TemporalAaParameters {
+BINDING(0) cbuffer TemporalAaParameters {
     float4 gOutputSize;   // width, height, 1 / width, 1 / height
     float2 gJitterPx;     // of this frame, [-0.5, 0.5]
     float2 gMotionToUv;   // (1, 1) for currUv - prevUv in UV
@@ -216,9 +216,9 @@ Resolved resolveFourTap(float2 uv, float2 motion, float3 history) {
 static const int COLUMN = 6;   // pixels_per_thread of the table
 static const int ROWS = COLUMN + 2;   // of texels; row 0 is the one above the column
 
-[[vk::binding(16)]] RWTexture2D<float4> gOutHistory;
+BINDING(16) RWTexture2D<float4> gOutHistory;
 #if MOTION_BLUR_FALLBACK
-[[vk::binding(17)]] RWTexture2D<float4> gOutColour;
+BINDING(17) RWTexture2D<float4> gOutColour;
 #endif
 
 // Depths of two rows, the first at uv: left, centre and right in xyz. `side` is the direction of +1.
@@ -445,7 +445,7 @@ struct Outputs {
 #endif
 };
 
-Outputs mainFragment(float4 positionPx : SV_Position) {
+Outputs mainFragment(float4 positionPx : POSITION_PX) {
     float2 uv = pxToUv(positionPx.xy, gOutputSize.zw);
 #if QUAD_SHARING
     float2 side = quadSide(positionPx.xy);

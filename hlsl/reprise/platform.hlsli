@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One declaration of a texture for Direct3D 9, Direct3D 11 and Vulkan.
+// One text for Direct3D 9, Direct3D 11 and Vulkan: textures, and what else each spells in its own way.
 //
 //   TEXTURE_POINT(gInDepth, 2)      a texture in slot 2 that is read with a point filter, clamped to its edge
 //   TEXTURE_LINEAR(gInColour, 1)    the same with a bilinear filter
@@ -9,6 +9,11 @@
 //                                   HAS_GATHER
 //   TEXTURE_PARAMETER(colour)       a texture as parameter of a function
 //   TEXTURE_ARGUMENT(gInColour)     the texture at the call
+//   PALETTE(gInJoints, Joint, 2)    structures that a vertex stage picks from by index, as binding 2
+//   PALETTE_PARAMETER(joints, Joint)   the same as parameter of a function
+//   BINDING(0), LOCATION(0)         Vulkan's numbers, before a declaration
+//   POSITION_PX                     semantic of a fragment's position in pixels, centres at halves
+//   TARGET_SIZE(gOutputSize);       width, height, 1 / width, 1 / height of the target, for halfPixelOffset()
 //
 // A Direct3D 9 sampler is texture and filter in one, so the filter belongs to the declaration everywhere: in
 // Vulkan the sampler NAME_sampler has binding slot + 32, in Direct3D 11 register s of the same slot. The
@@ -25,18 +30,27 @@
 #define SAMPLE(name, uv) tex2Dlod(name, float4(uv, 0.0, 0.0))
 #define SAMPLE_OFFSET(name, uv, texelSize, x, y) SAMPLE(name, (uv) + float2(x, y) * (texelSize))
 #define HAS_GATHER 0
+// Of the 256 constant registers two palettes of 30 matrices leave 16 to the rest.
+#define PALETTE(name, type, slot) type name[30]
+#define PALETTE_PARAMETER(name, type) type name[30]
+#define BINDING(number)
+#define LOCATION(number)
 
 #elif PLATFORM_D3D11
 
 #define TEXTURE_POINT(name, slot) \
     Texture2D<float4> name : register(t##slot); SamplerState name##_sampler : register(s##slot)
 #define TEXTURE_LINEAR(name, slot) TEXTURE_POINT(name, slot)
+#define BINDING(number)
+#define LOCATION(number)
 
 #else
 
 #define TEXTURE_POINT(name, slot) \
     [[vk::binding(slot)]] Texture2D<float4> name; [[vk::binding(slot + 32)]] SamplerState name##_sampler
 #define TEXTURE_LINEAR(name, slot) TEXTURE_POINT(name, slot)
+#define BINDING(number) [[vk::binding(number)]]
+#define LOCATION(number) [[vk::location(number)]]
 
 #endif
 
@@ -53,7 +67,21 @@
 #define HAS_GATHER 1
 #endif
 #define GATHER_RED(name, uv) name.GatherRed(name##_sampler, uv)
+#define PALETTE(name, type, slot) BINDING(slot) StructuredBuffer<type> name
+#define PALETTE_PARAMETER(name, type) StructuredBuffer<type> name
 
+#endif
+
+// --- Rasterisation
+
+#if PLATFORM_D3D9
+// VPOS counts pixels, so its centres lie at whole numbers and it knows no offset: the vertex stage hands over
+// the position instead, to be interpolated like every texture coordinate of the screen.
+#define POSITION_PX TEXCOORD0
+#define TARGET_SIZE(name) float4 name
+#else
+#define POSITION_PX SV_Position
+#define TARGET_SIZE(name) static const float4 name = float4(0.0, 0.0, 0.0, 0.0)
 #endif
 
 #endif

@@ -17,6 +17,9 @@ float2 quadSide(float2 positionPx) {
 
 #if STAGE_COMPUTE
 
+// Shader model 5 has no quad operations: there only who asks for them meets the compiler's refusal.
+#if !PLATFORM_D3D11 || QUAD_SHARING
+
 // A power of two from 8 to the size of the device's subgroups, at most 32. The runtime gives the largest.
 [[vk::constant_id(0)]] const uint SUBGROUP_ROW_WIDTH = 8;
 
@@ -55,6 +58,8 @@ float2 quadSwapX(float2 value, float2 side) {
 float3 quadSwapX(float3 value, float2 side) {
     return QuadReadAcrossX(value);
 }
+
+#endif
 
 #else
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench.hpp"
 
+#include "viewport_shift.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -89,7 +91,8 @@ oracle::Image oracleImage(const Pixels& pixels) {
 }
 
 harness::Gpu& gpu() {
-    static harness::Gpu instance({.device = "", .validation = true});
+    static harness::Gpu instance(
+        {.device = "", .validation = true, .getInstanceProcAddr = getInstanceProcAddrForShift});
     return instance;
 }
 
@@ -145,10 +148,11 @@ Pass::Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputForm
     : Pass(variant, stage, std::move(outputFormats), spirvOf(from, variant, stage, platform)) {}
 
 Pass::Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats,
-           std::span<const uint32_t> spirv)
+           std::span<const uint32_t> spirv, std::span<const uint32_t> vertexSpirv)
     : variant_(variant), outputNames_(outputNames(variant)),
       outputFormats_(outputFormats.empty() ? tableFormats(variant) : std::move(outputFormats)),
-      runner_(gpu(), variant, stage, spirv, fullscreenSpirv(), outputFormats_) {}
+      runner_(gpu(), variant, stage, spirv, vertexSpirv.empty() ? fullscreenSpirv() : vertexSpirv,
+              outputFormats_) {}
 
 std::vector<Pixels> Pass::run(std::span<const NamedPixels> inputs, std::span<const std::byte> parameters,
                               int width, int height) {
@@ -205,6 +209,17 @@ uint64_t hashOf(uint64_t seed, uint64_t a, uint64_t b, uint64_t c) {
 
 double unitHash(uint64_t seed, uint64_t a, uint64_t b, uint64_t c) {
     return static_cast<double>(hashOf(seed, a, b, c) >> 11) * 0x1p-53;
+}
+
+Pixels highContrastNoise(VkFormat format, int width, int height, uint64_t seed) {
+    return makePixels(format, width, height, [seed](int x, int y) {
+        Texel texel{};
+        for (size_t c = 0; c < 4; ++c) {
+            const double u = unitHash(seed, static_cast<uint64_t>(x), static_cast<uint64_t>(y), c);
+            texel[c] = static_cast<float>(u < 0.5 ? 0.25 * u : 0.75 + 0.25 * u);
+        }
+        return texel;
+    });
 }
 
 double storeError(VkFormat format, double value) {

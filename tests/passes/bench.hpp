@@ -55,8 +55,9 @@ class Pass {
 public:
     Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats = {},
          const reprisec::Pack& from = pack(), const PlatformSwitches& platform = {});
+    // Drawn by `vertexSpirv` in place of the pass fullscreen's.
     Pass(const Variant& variant, Stage stage, std::vector<VkFormat> outputFormats,
-         std::span<const uint32_t> spirv);
+         std::span<const uint32_t> spirv, std::span<const uint32_t> vertexSpirv = {});
 
     const Variant& variant() const { return variant_; }
     // The outputs of the variant in table order. Inputs that the variant has not are passed over. Before the
@@ -92,6 +93,8 @@ std::string describe(const Variant& variant, Stage stage, int width, int height)
 // A reproducible stream of numbers: splitmix64 of seed and place.
 uint64_t hashOf(uint64_t seed, uint64_t a, uint64_t b = 0, uint64_t c = 0);
 double unitHash(uint64_t seed, uint64_t a, uint64_t b = 0, uint64_t c = 0); // [0, 1)
+// Noise of high contrast: every value is below 1/8 or above 7/8, and hardly two are equal.
+Pixels highContrastNoise(VkFormat format, int width, int height, uint64_t seed);
 
 inline constexpr VkFormat rgba16f = VK_FORMAT_R16G16B16A16_SFLOAT, rgba32f = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat rg16f = VK_FORMAT_R16G16_SFLOAT, rg32f = VK_FORMAT_R32G32_SFLOAT;

@@ -3,20 +3,14 @@
 // catch. A mutant is a copy of hlsl/ with one text replaced; if the text is no longer there, the mutant has
 // to follow.
 #include "camera_case.hpp"
+#include "changed_pack.hpp"
 #include "object_case.hpp"
 #include "temporal_aa_case.hpp"
 
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
-
-#include <unistd.h>
 
 namespace passes {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Mutant {
     std::string_view name;
@@ -272,40 +266,10 @@ const std::vector<Mutant>& objectMutants() {
     return mutants;
 }
 
-std::string readAll(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
+ChangedPack changed(const Mutant& mutant) {
+    const TextChange change{mutant.file, mutant.original, mutant.wrong};
+    return ChangedPack({&change, 1});
 }
-
-// A copy of hlsl/ in which the text is replaced; false if the text is not there.
-bool writeMutant(const Mutant& mutant, const fs::path& directory) {
-    fs::remove_all(directory);
-    fs::copy("hlsl", directory, fs::copy_options::recursive);
-    std::string text = readAll(directory / mutant.file);
-    const size_t place = text.find(mutant.original);
-    if (place == std::string::npos) return false;
-    text.replace(place, mutant.original.size(), mutant.wrong);
-    std::ofstream(directory / mutant.file, std::ios::binary) << text;
-    return true;
-}
-
-struct MutantPack {
-    fs::path directory;
-    std::optional<reprisec::Pack> pack;
-
-    explicit MutantPack(const Mutant& mutant)
-        : directory(fs::temp_directory_path() /
-                    ("reprise_mutant_" + std::to_string(getpid()) + "_" + std::string(mutant.name))) {
-        if (!writeMutant(mutant, directory)) return;
-        auto loaded = reprisec::Pack::load(directory / "pack.toml");
-        if (loaded) pack = std::move(*loaded);
-    }
-    ~MutantPack() { fs::remove_all(directory); }
-    MutantPack(const MutantPack&) = delete;
-    MutantPack& operator=(const MutantPack&) = delete;
-};
 
 // The frames of the comparison: as it is, velocity in NDC, and without history.
 std::vector<TemporalAaFrame> framesForMutants() {
@@ -363,12 +327,12 @@ INSTANTIATE_TEST_SUITE_P(Mutants, TemporalAaMutant, testing::ValuesIn(temporalAa
 
 TEST_P(TemporalAaMutant, isCaught) {
     const Mutant& mutant = GetParam();
-    const MutantPack mutated(mutant);
-    ASSERT_TRUE(mutated.pack) << mutant.file << " no longer holds: " << mutant.original;
+    const ChangedPack mutated = changed(mutant);
+    ASSERT_EQ(mutated.missing(), "");
     const Variant right = variantOf(pack(), "temporal_aa", mutant.switches);
     EXPECT_TRUE(rightFormPasses(right, mutant.stage)) << "the comparison fails without the mistake too";
-    const Variant wrong = variantOf(*mutated.pack, "temporal_aa", mutant.switches);
-    Pass pass(wrong, mutant.stage, float32Outputs(wrong), *mutated.pack);
+    const Variant wrong = variantOf(mutated.pack(), "temporal_aa", mutant.switches);
+    Pass pass(wrong, mutant.stage, float32Outputs(wrong), mutated.pack());
     EXPECT_TRUE(isCaught(pass));
 }
 
@@ -378,8 +342,8 @@ INSTANTIATE_TEST_SUITE_P(Mutants, CameraVelocityMutant, testing::ValuesIn(camera
 
 TEST_P(CameraVelocityMutant, isCaught) {
     const Mutant& mutant = GetParam();
-    const MutantPack mutated(mutant);
-    ASSERT_TRUE(mutated.pack) << mutant.file << " no longer holds: " << mutant.original;
+    const ChangedPack mutated = changed(mutant);
+    ASSERT_EQ(mutated.missing(), "");
     const bool depthLinear = !mutant.switches.empty();
     const CameraCase frame = randomCameraCase({}, depthLinear, 64, 64, 32);
     const CameraCase behind = randomCameraCase({}, depthLinear, 64, 64, 32, true);
@@ -389,8 +353,8 @@ TEST_P(CameraVelocityMutant, isCaught) {
     };
     EXPECT_FALSE(
         isCaughtBy(Pass(variantOf(pack(), "camera_velocity", mutant.switches), mutant.stage, {rg32f})));
-    EXPECT_TRUE(isCaughtBy(Pass(variantOf(*mutated.pack, "camera_velocity", mutant.switches), mutant.stage,
-                                {rg32f}, *mutated.pack)));
+    EXPECT_TRUE(isCaughtBy(Pass(variantOf(mutated.pack(), "camera_velocity", mutant.switches), mutant.stage,
+                                {rg32f}, mutated.pack())));
 }
 
 class ObjectVelocityMutant : public PassTest, public testing::WithParamInterface<Mutant> {};
@@ -399,12 +363,12 @@ INSTANTIATE_TEST_SUITE_P(Mutants, ObjectVelocityMutant, testing::ValuesIn(object
 
 TEST_P(ObjectVelocityMutant, isCaught) {
     const Mutant& mutant = GetParam();
-    const MutantPack mutated(mutant);
-    ASSERT_TRUE(mutated.pack) << mutant.file << " no longer holds: " << mutant.original;
+    const ChangedPack mutated = changed(mutant);
+    ASSERT_EQ(mutated.missing(), "");
     ObjectCase object;
     object.skinned = !mutant.switches.empty();
     EXPECT_TRUE(compareWithOracle(object, recordedMotion(object)).holds());
-    EXPECT_FALSE(compareWithOracle(object, recordedMotion(object, *mutated.pack)).holds());
+    EXPECT_FALSE(compareWithOracle(object, recordedMotion(object, mutated.pack())).holds());
 }
 
 } // namespace

@@ -119,7 +119,8 @@ harness::Image depthImage(const ObjectCase& object, VkFormat format) {
     return image;
 }
 
-reprise::FrameRecorder makeRecorder(const ObjectCase& object, const reprisec::Pack& from) {
+reprise::FrameRecorder makeRecorder(const ObjectCase& object, const reprisec::Pack& from,
+                                    const PlatformSwitches& platform) {
     reprise::FrameRecorder::CreateInfo info;
     info.needs.skinnedMeshes = object.skinned;
     info.needs.reversedDepth = object.kind.depth != Depth::standard;
@@ -129,7 +130,8 @@ reprise::FrameRecorder makeRecorder(const ObjectCase& object, const reprisec::Pa
     auto made = reprise::FrameRecorder::create(
         gpu().device(), from.passes(),
         [&](const Variant& variant, Stage stage) -> reprise::Result<std::vector<uint32_t>> {
-            return spirvOf(from, variant, stage);
+            const bool isObject = variant.pass->name == "object_velocity";
+            return spirvOf(from, variant, stage, isObject ? platform : PlatformSwitches{});
         },
         info);
     if (!made) throw std::runtime_error(made.error().message);
@@ -156,8 +158,43 @@ glm::dvec2 cameraMotion(const ObjectCase& object, int x, int y) {
 
 } // namespace
 
-Pixels recordedMotion(const ObjectCase& object, const reprisec::Pack& from) {
-    reprise::FrameRecorder recorder = makeRecorder(object, from);
+ObjectDrawData drawDataOf(const ObjectCase& object) {
+    ObjectDrawData data;
+    for (size_t corner = 0; corner < 3; ++corner) {
+        data.positions[corner] = corners[corner];
+        for (int i = 0; i < 4; ++i) {
+            data.joints[corner][i] = joints[corner][i];
+            data.weights[corner][i] = weights[corner][i];
+        }
+    }
+    const auto toClip = [&](bool previous) {
+        const oracle::Camera camera = cameraOf(object, previous);
+        const glm::dmat4 toWorld = object.skinned ? glm::dmat4(1.0) : glm::dmat4(placement(0, previous));
+        return glm::mat4(camera.viewToClip * camera.worldToView * toWorld);
+    };
+    const glm::mat4 current = toClip(false), previous = toClip(true);
+    std::memcpy(data.parameters.gObjectToClip, &current, sizeof(current));
+    std::memcpy(data.parameters.gPrevObjectToClip, &previous, sizeof(previous));
+    const glm::dvec2 jitterNdc = object.jitterPx * glm::dvec2(2.0 / object.width, -2.0 / object.height);
+    data.parameters.gJitterNdc[0] = static_cast<float>(jitterNdc.x);
+    data.parameters.gJitterNdc[1] = static_cast<float>(jitterNdc.y);
+    for (int joint = 0; object.skinned && joint < 4; ++joint) {
+        data.palette.push_back(placement(joint, false));
+        data.prevPalette.push_back(placement(joint, true));
+    }
+    return data;
+}
+
+Pixels backgroundMotion(const ObjectCase& object, VkFormat format) {
+    return makePixels(format, object.width, object.height, [&](int x, int y) {
+        const glm::dvec2 motion = cameraMotion(object, x, y);
+        return Texel{static_cast<float>(motion.x), static_cast<float>(motion.y)};
+    });
+}
+
+Pixels recordedMotion(const ObjectCase& object, const reprisec::Pack& from,
+                      const PlatformSwitches& platform) {
+    reprise::FrameRecorder recorder = makeRecorder(object, from, platform);
     const DrawBuffers buffers = makeDraw(object);
     harness::Image depth = depthImage(object, r32f), depthTest = depthImage(object, VK_FORMAT_D32_SFLOAT);
     harness::Image colour =

@@ -5,6 +5,8 @@
 #include "camera_case.hpp"
 #include "reprise/frame.hpp"
 
+#include <glm/gtc/type_precision.hpp>
+
 namespace passes {
 
 struct ObjectCase {
@@ -16,8 +18,22 @@ struct ObjectCase {
     int occludedColumns = 0; // of the left, where the scene's depth is nearer than the object
 };
 
-// The recorder's motion image of the second of two frames. `from` is the pack that gives its modules.
-Pixels recordedMotion(const ObjectCase& object, const reprisec::Pack& from = pack());
+// What a draw of the object takes, for devices that no recorder serves.
+struct ObjectDrawData {
+    std::array<glm::vec3, 3> positions;
+    std::array<glm::u8vec4, 3> joints;
+    std::array<glm::vec4, 3> weights;
+    std::vector<glm::mat4> palette, prevPalette; // of a skinned object
+    reprise::ObjectVelocityParameters parameters{};
+};
+ObjectDrawData drawDataOf(const ObjectCase& object);
+// What the motion image holds where the object is not seen.
+Pixels backgroundMotion(const ObjectCase& object, VkFormat format);
+
+// The recorder's motion image of the second of two frames. `from` is the pack that gives its modules, those
+// of the object under platform switches.
+Pixels recordedMotion(const ObjectCase& object, const reprisec::Pack& from = pack(),
+                      const PlatformSwitches& platform = {});
 // The whole image against the oracle: the object's motion where it is seen, the camera's elsewhere.
 Comparison compareWithOracle(const ObjectCase& object, const Pixels& motion);
 

@@ -144,6 +144,11 @@ std::vector<Pixels> run(Pass& pass, const TemporalAaFrame& frame) {
 
 Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& frame,
                              const std::vector<Pixels>& outputs) {
+    return compareWithOracle(variant, frame, outputs, linearFilterError());
+}
+
+Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& frame,
+                             const std::vector<Pixels>& outputs, double coordinateErrorPx) {
     const oracle::Image colour = oracleImage(frame.colour), depth = oracleImage(frame.depth);
     const oracle::Image velocity = oracleImage(frame.velocity), history = oracleImage(frame.history);
     oracle::TemporalAa taa;
@@ -153,7 +158,7 @@ Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& fram
     taa.depth = &depth;
     taa.velocity = &velocity;
     taa.history = &history;
-    taa.filterErrorPx = linearFilterError();
+    taa.filterErrorPx = coordinateErrorPx;
     Comparison all;
     for (size_t output = 0; output < outputs.size(); ++output) {
         const auto valueOf = [&](const oracle::TemporalAaPixel& pixel) {
@@ -166,11 +171,7 @@ Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& fram
                                 careful ? valueOf(oracle::temporalAaError(taa, x, y)) : glm::dvec3(0.0)};
             },
             3);
-        all.pixels += each.pixels;
-        all.outside += each.outside;
-        if (each.largestExcess <= all.largestExcess) continue;
-        all.largestExcess = each.largestExcess;
-        all.worst = (output == 0 ? "gOutHistory " : "gOutColour ") + each.worst;
+        join(all, each, output == 0 ? "gOutHistory" : "gOutColour");
     }
     return all;
 }

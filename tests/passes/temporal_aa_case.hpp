@@ -28,5 +28,8 @@ std::vector<Pixels> run(Pass& pass, const TemporalAaFrame& frame);
 // The outputs of `variant` for the frame against the oracle.
 Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& frame,
                              const std::vector<Pixels>& outputs);
+// The same for a device whose coordinates and filter weights err by up to so much of a texel together.
+Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& frame,
+                             const std::vector<Pixels>& outputs, double coordinateErrorPx);
 
 } // namespace passes

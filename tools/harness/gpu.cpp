@@ -18,13 +18,13 @@ void fullBarrier(VkCommandBuffer commands) {
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-reprise::Device borrowFrom(const Vulkan& vulkan) {
+reprise::Device borrowFrom(const Vulkan& vulkan, PFN_vkGetInstanceProcAddr getInstanceProcAddr) {
     reprise::BorrowedDevice borrowed;
     borrowed.instance = vulkan.instance;
     borrowed.physicalDevice = vulkan.physicalDevice;
     borrowed.device = vulkan.device;
     borrowed.queueFamilyIndex = vulkan.queueFamily;
-    borrowed.getInstanceProcAddr = vkGetInstanceProcAddr;
+    borrowed.getInstanceProcAddr = getInstanceProcAddr ? getInstanceProcAddr : vkGetInstanceProcAddr;
     borrowed.features = vulkan.enabled;
     auto device = reprise::borrow(borrowed);
     if (!device) throw std::runtime_error(device.error().message);
@@ -75,7 +75,7 @@ Gpu::State::~State() {
 Gpu::Gpu(const DeviceOptions& options) : state_(std::make_unique<State>()) {
     State& state = *state_;
     state.vulkan = openVulkan(options);
-    state.device = borrowFrom(*state.vulkan);
+    state.device = borrowFrom(*state.vulkan, options.getInstanceProcAddr);
     const VkDevice device = state.vulkan->device;
     auto pool = structure<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
     pool.queueFamilyIndex = state.vulkan->queueFamily;

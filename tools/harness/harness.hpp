@@ -17,6 +17,8 @@ namespace harness {
 struct DeviceOptions {
     std::string device; // substring of the name, or an index; empty: a discrete GPU if any, else the first
     bool validation = false; // Khronos layer with synchronization validation; messages are collected
+    // What the runtime loads its functions through; null: the loader's. A test may stand between the two.
+    PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
 };
 
 struct Image {
