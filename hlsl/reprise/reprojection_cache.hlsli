@@ -8,20 +8,6 @@
 #include "reprise/finite.hlsli"
 #include "reprise/reprojection.hlsli"
 
-// The text demands to mind the half pixel of Direct3D 9, and Listing 7.2 does not: there the position of a
-// pixel (VPOS) is a whole number, elsewhere (SV_Position) it is the centre, at a half.
-#if PLATFORM_D3D9
-static const float PIXEL_TO_CENTRE = 0.5;
-#else
-static const float PIXEL_TO_CENTRE = 0.0;
-#endif
-
-// UV of the centre of the pixel whose position the rasteriser gives; texelSize is 1 / extent. A UV in [0,1]²
-// addresses the same texel on every platform, so that nothing after this needs the offset again.
-float2 pixelCentreUv(float2 positionPx, float2 texelSize) {
-    return pxToUv(positionPx + PIXEL_TO_CENTRE, texelSize);
-}
-
 // Where the history of a surface lies.
 struct CachePlace {
     float2 prevUv;      // outside [0,1]² where it was not in view, at most 8 in magnitude

@@ -12,41 +12,6 @@ namespace {
 
 const std::string header = "reprise/reprojection_cache.hlsli";
 
-// --- The half pixel
-
-// in0 is (pixel index, texel size). The rasteriser gives its centre, or under Direct3D 9 the index itself.
-Comparison centres(bool direct3d9) {
-    std::vector<Row> rows;
-    for (glm::vec2 size : {glm::vec2(1, 1), glm::vec2(7, 5), glm::vec2(1920, 1080), glm::vec2(16384, 16384)})
-        for (float share : {0.0f, 0.3f, 0.7f, 0.999999f}) {
-            const glm::vec2 pixel = glm::floor(share * size);
-            rows.push_back({vec4(direct3d9 ? pixel : pixel + 0.5f, 1.0f / size), vec4(pixel, size)});
-        }
-    return {{"pixelCentreUv",
-             {header},
-             "out0.xy = pixelCentreUv(in0.xy, in0.zw);",
-             2,
-             1,
-             {{"PLATFORM_D3D9", direct3d9}}},
-            rows,
-            [](const Row& in) {
-                const dvec2 uv = (xy(in[1]) + 0.5) / dvec2(in[1].z, in[1].w);
-                return std::vector{near(uv, 2.0 * roundoff)}; // texel size and product, below 1
-            }};
-}
-
-TEST(ReprojectionCache, pixelCentresAreAtHalvesOnEveryPlatform) {
-    expectAgrees(centres(false));
-    expectAgrees(centres(true));
-}
-
-TEST(ReprojectionCache, thePrintedUvWithoutTheHalfPixelIsCaught) {
-    const std::string rule = "PIXEL_TO_CENTRE = 0.5";
-    expectCaught(centres(true), {header, rule, "PIXEL_TO_CENTRE = 0.0"});
-    expectCaught(centres(true), {header, rule, "PIXEL_TO_CENTRE = -0.5"}); // the wrong sign
-    expectCaught(centres(false), {header, "PIXEL_TO_CENTRE = 0.0", "PIXEL_TO_CENTRE = 0.5"});
-}
-
 // --- Place
 
 // in0 to in3 the matrix, in4 (uv, depth, row), in5 the view rays, in6 clipToDepth.

@@ -82,31 +82,6 @@ std::vector<Case> numberCases() {
 
 // --- places
 
-Case centres(bool direct3d9) {
-    return {direct3d9 ? "every size to 16384, Direct3D 9" : "every size to 16384",
-            {"pixelCentreUv",
-             {cache},
-             "out0.xy = pixelCentreUv(in0.xy, in0.zw);",
-             2,
-             1,
-             Defines{{"PLATFORM_D3D9", direct3d9}}},
-            {Unit::roundings, 2.0, "the texel's size and a product, below 1"},
-            [direct3d9](const Effort& effort) {
-                Random random(2);
-                std::vector<Row> rows;
-                for (size_t i = 0; i < effort.of(40000); ++i) {
-                    const float size = 1.0f + static_cast<float>(random.below(16384));
-                    const vec4 pixel = glm::floor(size * random.in4(0.0f, 0.99999f));
-                    const float at = direct3d9 ? 0.0f : 0.5f;
-                    rows.push_back({vec4(pixel.x + at, pixel.y + at, 1.0f / size, 1.0f / size),
-                                    vec4(pixel.x, pixel.y, size, size)});
-                }
-                return Sweep{rows, [](const Row& in) {
-                                 return std::vector{right((xy(in[1]) + 0.5) / dvec2(in[1].z, in[1].w), 1.0)};
-                             }};
-            }};
-}
-
 std::vector<Row> clipPositions(const Effort& effort) {
     const auto ws = ofBothSigns(std::vector{0.0f, 1e-40f, 1e-30f, 1e30f} +
                                 logarithmic(1e-11, 1e7, effort.quick ? 20 : 200));
@@ -529,8 +504,6 @@ std::vector<Case> subpixelCases() {
 
 std::vector<Case> cacheCases() {
     std::vector<Case> all = numberCases();
-    all.push_back(centres(false));
-    all.push_back(centres(true));
     all.push_back(fromClip());
     all.push_back(fromDepth("standard", standardDepth()));
     all.push_back(fromDepth("reversed infinite", infiniteDepth()));
