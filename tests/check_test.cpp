@@ -111,6 +111,7 @@ TEST(CheckTable, everyBoundHasAReasonAndEverySweepAName) {
         EXPECT_STRNE(each.bound.reason, "") << each.function();
         EXPECT_TRUE(seen.insert(each.function() + " " + each.sweep).second)
             << each.function() << " has two sweeps named " << each.sweep;
+        EXPECT_LE(each.sweep.size(), 60u) << each.sweep << " is wider than its column";
     }
 }
 
