@@ -111,6 +111,7 @@ TEST(CheckTable, everyBoundHasAReasonAndEverySweepAName) {
         EXPECT_STRNE(each.bound.reason, "") << each.function();
         EXPECT_TRUE(seen.insert(each.function() + " " + each.sweep).second)
             << each.function() << " has two sweeps named " << each.sweep;
+        EXPECT_LE(each.sweep.size(), 60u) << each.sweep << " is wider than its column";
     }
 }
 
@@ -118,6 +119,29 @@ TEST(CheckTable, everyBoundHasAReasonAndEverySweepAName) {
 TEST(CheckTable, everyFunctionHoldsItsBoundAndStaysFinite) {
     for (const Case& each : table())
         EXPECT_EQ(failure(check::run(bench(), each, {.quick = true})), "");
+}
+
+// --- the page
+
+// "| `colour` | 7 | 12 |": functions and sweeps of each header, as the table has them.
+TEST(CheckPage, everyHeaderHasItsRow) {
+    const std::string page = contents("docs/check.md");
+    std::map<std::string, std::set<std::string>> functionsOf;
+    std::map<std::string, size_t> sweepsOf;
+    std::set<std::pair<std::string, std::string>> all;
+    const auto cases = table();
+    for (const Case& each : cases) {
+        const std::string header = fs::path(each.header()).stem().string();
+        functionsOf[header].insert(each.function());
+        ++sweepsOf[header];
+        all.emplace(header, each.function());
+    }
+    for (const auto& [header, functions] : functionsOf)
+        EXPECT_TRUE(has(page, "\n| `" + header + "` | " + std::to_string(functions.size()) + " | " +
+                                  std::to_string(sweepsOf[header]) + " | "))
+            << header << ": " << functions.size() << " functions, " << sweepsOf[header] << " sweeps";
+    EXPECT_TRUE(
+        has(page, std::to_string(all.size()) + " functions, " + std::to_string(cases.size()) + " sweeps"));
 }
 
 // --- deliberately wrong functions

@@ -18,7 +18,8 @@ float radicalInverse(float index, float base) {
     return result;
 }
 
-// Halton (2,3), starting at its first index, repeating after `period` frames (8 or 16).
+// Halton (2,3), starting at its first index, repeating after `period` frames (8 or 16). Frames are whole and
+// below 2^23: from there on frame + 1/2 is no number of binary32.
 float2 haltonJitterPx(float frame, float period) {
     float index = frame - period * floor((frame + 0.5) / period) + 1.0;
     return float2(radicalInverse(index, 2.0), radicalInverse(index, 3.0)) - 0.5;

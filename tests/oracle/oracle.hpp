@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every function of hlsl/reprise again in double precision, written from the documents' mathematics and the
-// contracts of the headers. Tests compare with it; it includes nothing of the project.
+// contracts of the headers. Tests and `reprise check` compare with it; it includes nothing of the project.
 #pragma once
 
 #include "bilateral_upsampling.hpp"

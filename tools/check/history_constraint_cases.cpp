@@ -94,6 +94,40 @@ Case clippingToCentre() {
     return made;
 }
 
+// clip_aabb by its own name, with the fourth channel, which goes the same share of the way.
+std::vector<Right> aabbOracle(const Row& in) {
+    const oracle::Box box = boxOf(in);
+    const dvec4 value = oracle::clipAabb(box, dvec4(in[3]), dvec4(in[0]));
+    const double size = centreRight(dvec3(value), box).size.x;
+    const double longest = std::max(largest(box.maximum - box.minimum) / 2.0, oracle::minBoxExtent);
+    // What the longest side is uncertain by, the share of the way is: where that is all, so is the channel.
+    const double uncertain = 4.0 * 13.0 * roundoff * size / longest;
+    const double way = std::isfinite(in[0].w) ? std::abs(static_cast<double>(in[0].w) - in[3].w) : 0.0;
+    const double gone = std::abs(value.w - in[3].w);
+    const double bound = (uncertain < 1.0 ? uncertain * gone : way) + 13.0 * roundoff * (1.0 + way);
+    return {{value, dvec4(size, size, size, bound / (13.0 * roundoff)), 4}};
+}
+
+Case clippingAabb() {
+    Case made{"boxes of any size and none, history to ±1e30, NaN",
+              {"clip_aabb", {header}, "out0 = clip_aabb(in1.xyz, in2.xyz, in3, in0);", 4},
+              {Unit::roundings, 13.0, "as clipToBoxCentre; the fourth channel by the share of the way"},
+              [](const Effort& effort) {
+                  std::vector<Row> rows = boxes(effort, 6, 1e30f);
+                  Random random(7);
+                  for (Row& row : rows) {
+                      row[0].w = random.in(-1.0f, 2.0f);
+                      row[3].w = random.unit();
+                      if (random.below(20) == 0)
+                          row[0][static_cast<int>(random.below(4))] =
+                              random.of(std::vector{notANumber, infinity, -infinity});
+                  }
+                  return Sweep{rows, aabbOracle};
+              }};
+    made.printed = {"INSIDE, clip_aabb", "out0 = slideClip(in1.xyz, in2.xyz, in3, in0);", slideClip};
+    return made;
+}
+
 Case clippingToLine() {
     return {"boxes of any size and none, history to ±131008",
             clip("clipToBoxLine", "in0.xyz, in3.xyz"),
@@ -150,11 +184,14 @@ std::vector<Case> historyConstraintCases() {
                                     }};
                    }});
     all.push_back(clippingToCentre());
+    all.push_back(clippingAabb());
     all.push_back(clippingToLine());
     all.push_back(staysInBox("clipToBoxCentre", "in0.xyz"));
     all.push_back(staysInBox("clipToBoxLine", "in0.xyz, in3.xyz"));
     for (const auto& call :
-         {clamp, clip("clipToBoxCentre", "in0.xyz"), clip("clipToBoxLine", "in0.xyz, in3.xyz")})
+         {clamp, clip("clipToBoxCentre", "in0.xyz"), clip("clipToBoxLine", "in0.xyz, in3.xyz"),
+          functions::Function{
+              "clip_aabb", {header}, "out0.xyz = clip_aabb(in1.xyz, in2.xyz, in3, in0).xyz;", 4}})
         all.push_back(inverted(call));
     return all;
 }

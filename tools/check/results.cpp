@@ -109,7 +109,7 @@ const Row& whereWorst(const Tally& tally) {
 
 std::string line(const std::string& function, const std::string& header, const std::string& sweep,
                  const Tally& tally, const std::string& share) {
-    return fmt::format("{:<26} {:<22} {:<52} {:>7} {:>6} {:>8} {:>8} {:>8} {:>7} {:>5} {:>5}  {}", function,
+    return fmt::format("{:<25} {:<24} {:<60} {:>7} {:>6} {:>8} {:>8} {:>8} {:>7} {:>5} {:>5}  {}", function,
                        header, sweep, tally.inputs, tally.open, cell(tally.absolute), cell(tally.relative),
                        cell(tally.ulp), share, tally.nan, tally.infinity, inputText(whereWorst(tally)));
 }
@@ -146,7 +146,7 @@ std::string failure(const Outcome& outcome) {
 }
 
 std::string tableHead() {
-    return fmt::format("{:<26} {:<22} {:<52} {:>7} {:>6} {:>8} {:>8} {:>8} {:>7} {:>5} {:>5}  {}", "function",
+    return fmt::format("{:<25} {:<24} {:<60} {:>7} {:>6} {:>8} {:>8} {:>8} {:>7} {:>5} {:>5}  {}", "function",
                        "header", "sweep", "inputs", "open", "absolute", "relative", "ULP", "/bound", "NaN",
                        "inf", "worst at");
 }

@@ -8,8 +8,9 @@ namespace check {
 std::vector<Case> table() {
     std::vector<Case> all;
     for (const auto group :
-         {bilateralUpsamplingCases, cacheCases, colourCases, coordinateCases, depthCases, feedbackCases,
-          historyConstraintCases, missDetectionCases, neighbourhoodCases, reprojectionCases, samplingCases})
+         {bilateralUpsamplingCases, cacheCases, colourCases, coordinateCases, depthCases,
+          directionalBilateralCases, feedbackCases, historyCases, historyConstraintCases, missDetectionCases,
+          neighbourhoodCases, packingCases, reprojectionCases, samplingCases, toneMappingCases})
         for (Case& each : group())
             all.push_back(std::move(each));
     std::stable_sort(all.begin(), all.end(),
