@@ -378,6 +378,11 @@ std::vector<Shader> headerJobs(const Platform& platform) {
     return jobs;
 }
 
+bool hasFunctions(const Shader& header) {
+    static const std::regex head(R"((^|\n)\w+ \w+\([^;{}]*\) \{)");
+    return std::regex_search(orThrow(reprisec::readText(hlslRoot / header.file)), head);
+}
+
 void writeControls(const fs::path& directory) {
     for (const Control& control : controls())
         for (const Replacement& replacement : control.replacements) {

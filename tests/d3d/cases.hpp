@@ -29,6 +29,8 @@ Case rampCase(const Platform& platform);
 
 // The headers of hlsl/reprise for a platform: as they are, and under each switch that they test.
 std::vector<Shader> headerJobs(const Platform& platform);
+// Whether the header's text has a function: what d3d_run finds is held against it.
+bool hasFunctions(const Shader& header);
 
 // Writes the texts that controls change.
 void writeControls(const fs::path& directory);

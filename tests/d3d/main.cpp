@@ -104,6 +104,8 @@ void judgeHeader(const Platform& platform, const Shader& job, size_t width, cons
         ++(ok ? compiled : refused);
         if (!count.add(expected)) detail += fmt::format("    {}: {}\n", signature, said);
     }
+    if (!count.add(hasFunctions(job) == (compiled + refused > 0)))
+        detail += "    it has functions, and none was found\n";
     fmt::print(
         "{}{}{} functions{}\n{}",
         rowStart(job.name.substr(job.name.find('.') + 1), width, platform.name, platform.fragmentProfile),
