@@ -15,7 +15,7 @@
 // Longer than 250 lines: one body with three ways to read the neighbourhood (pixel alone, quad, column).
 
 // The box compares colours as integers where none is negative.
-#define COLOURS_NOT_NEGATIVE (COLOUR_SPACE_RGB && !PLATFORM_D3D9)
+#define COLOURS_NOT_NEGATIVE COLOUR_SPACE_RGB
 
 #include "reprise/closest_fragment.hlsli"
 #include "reprise/colour.hlsli"

@@ -5,13 +5,13 @@
 
 // A shader whose colours are never negative defines this as 1 before the include: minimum and maximum then
 // compare bits, which order as the floats >= 0 do, and some GPUs have an integer minimum of three in one
-// instruction. Not for shader model 3, which has no bits.
+// instruction. Shader model 3 has no bits.
 #ifndef COLOURS_NOT_NEGATIVE
 #define COLOURS_NOT_NEGATIVE 0
 #endif
 
 // Smallest and largest of three, per channel.
-#if COLOURS_NOT_NEGATIVE
+#if COLOURS_NOT_NEGATIVE && !PLATFORM_D3D9
 float3 min3(float3 a, float3 b, float3 c) {
     return asfloat(min(min(asint(a), asint(b)), asint(c)));
 }

@@ -92,6 +92,31 @@ std::vector<Right> openBox(const Row&) {
     return {open(3), open(3)};
 }
 
+std::vector<Case> threes() {
+    std::vector<Case> all;
+    for (const bool bits : {false, true})
+        for (const bool largest : {false, true}) {
+            const std::string name = largest ? "max3" : "min3";
+            all.push_back({bits ? "0 to 65504, as bits" : "0 to 65504",
+                           {name,
+                            {header},
+                            "out0.xyz = " + name + "(in0.xyz, in1.xyz, in2.xyz);",
+                            9,
+                            1,
+                            {{"COLOURS_NOT_NEGATIVE", bits}}},
+                           {Unit::exact, 0.0, "chooses"},
+                           [largest](const Effort& effort) {
+                               return Sweep{squares(effort, 3), [largest](const Row& in) {
+                                                const dvec3 a = xyz(in[0]), b = xyz(in[1]), c = xyz(in[2]);
+                                                return std::vector{right(largest
+                                                                             ? glm::max(a, glm::max(b, c))
+                                                                             : glm::min(a, glm::min(b, c)))};
+                                            }};
+                           }});
+        }
+    return all;
+}
+
 std::vector<Case> boxesOfNine() {
     struct Kind {
         const char* function;
@@ -216,7 +241,9 @@ std::vector<Case> others() {
 } // namespace
 
 std::vector<Case> neighbourhoodCases() {
-    std::vector<Case> all = boxesOfNine();
+    std::vector<Case> all = threes();
+    for (Case& each : boxesOfNine())
+        all.push_back(std::move(each));
     for (Case& each : others())
         all.push_back(std::move(each));
     return all;

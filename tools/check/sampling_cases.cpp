@@ -364,6 +364,32 @@ Case swappedExactly() {
             }};
 }
 
+// Rows of the subgroup, whatever their width: the neighbour of an odd invocation is the one to its left, that
+// of an even one the one to its right.
+Case sharedInRow(const std::string& function, const std::string& value) {
+    return {
+        "neighbours to ±1e30, in a compute shader",
+        {function,
+         {quadSharing},
+         "float3 left = valueToTheLeft(in0.xyz, in0.xyz), right = valueToTheRight(in0.xyz, in0.xyz);"
+         "bool odd = (thread.x & 1u) != 0u; out0.xyz = " +
+             value + ";",
+         3,
+         1},
+        {Unit::exact, 0.0, "a copy"},
+        [](const Effort& effort) {
+            return Sweep{quads(effort, true), [](const Row& in) { return std::vector{right(xyz(in[1]))}; }};
+        }};
+}
+
+std::vector<Case> sharedInRows() {
+    return {sharedInRow("subgroupColumn", "(subgroupColumn() & 1u) != 0u ? left : right"),
+            sharedInRow("valueToTheLeft", "odd ? left : valueInRow(in0.xyz, subgroupColumn() + 1u)"),
+            sharedInRow("valueToTheRight", "odd ? valueInRow(in0.xyz, subgroupColumn() - 1u) : right"),
+            sharedInRow("valueInRow", "valueInRow(in0.xyz, subgroupColumn() ^ 1u)"),
+            sharedInRow("halfRowSwap", "halfRowSwap(halfRowSwap(odd ? left : right))")};
+}
+
 } // namespace
 
 std::vector<Case> samplingCases() {
@@ -378,6 +404,8 @@ std::vector<Case> samplingCases() {
     all.push_back(swapped("quadSwapX", false));
     all.push_back(swapped("quadSwapY", true));
     all.push_back(swappedExactly());
+    for (const Case& each : sharedInRows())
+        all.push_back(each);
     return all;
 }
 
