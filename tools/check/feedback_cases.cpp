@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cases.hpp"
+#include "long_feedback.hpp"
 #include "sweep.hpp"
 
 namespace check {
 namespace {
 
 const std::string header = "reprise/feedback.hlsli";
-
-// 0, 1, 2^-k and 1 - 2^-k.
-std::vector<float> weights() {
-    std::vector<float> all{0.0f, 1.0f};
-    for (float share : powersOfHalf(1, 24)) {
-        all.push_back(share);
-        all.push_back(1.0f - share);
-    }
-    return all;
-}
 
 const functions::Function luminanceWeight{
     "luminanceFeedback", {header}, "out0.x = luminanceFeedback(in0.x, in0.y, in0.z, in0.w);"};
@@ -99,15 +90,10 @@ std::vector<Case> blending() {
 // --- 100,000 frames
 
 // One value against a current one that stands still, or that changes between two, as a jittered edge does.
-// Ten frames a turn: llvmpipe leaves its loops after 65,535 turns, all together.
-const int framesInAll = 100000;
 const std::string manyFrames =
-    "float3 history = in0.yyy;\n"
-    "[loop] for (int turn = 0; turn < 10000; ++turn) {\n"
-    "    [unroll] for (int frame = 0; frame < 10; ++frame)\n"
+    "float3 history = in0.yyy;\n" + tenThousandTurns +
     "        history = blendHistory(frame % 2 != 0 ? in0.zzz : in0.xxx, history, in0.w);\n"
-    "}\n"
-    "out0.x = history.x;";
+    "    }\n}\nout0.x = history.x;";
 
 // Each frame rounds by up to four half steps at the largest of the three values, and of what it rounded
 // 1 - weight is gone by the next: over all frames 1 / (1 - weight) of it, at most as many as there were.

@@ -52,6 +52,27 @@ inline std::vector<float> powersOfHalf(int first, int last) {
     return values;
 }
 
+// 0, 1, 2^-k and 1 - 2^-k.
+inline std::vector<float> weights() {
+    std::vector<float> all{0.0f, 1.0f};
+    for (float share : powersOfHalf(1, 24)) {
+        all.push_back(share);
+        all.push_back(1.0f - share);
+    }
+    return all;
+}
+
+// As the headers count them: neither NaN nor beyond 1e38.
+inline bool isNumber(double v) {
+    return std::abs(v) <= 1e38;
+}
+
+inline bool areNumbers(const vec4& v, int components) {
+    for (int c = 0; c < components; ++c)
+        if (!isNumber(v[c])) return false;
+    return true;
+}
+
 // 0, denormals, what binary16 holds least, the ends of the colours.
 inline const std::vector<float> colourMarks = {
     0.0f, 1e-40f, 1.17549435e-38f, 1e-30f, 1e-20f,  5.9604645e-8f, 6.1035156e-5f,

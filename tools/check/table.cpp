@@ -8,9 +8,10 @@ namespace check {
 std::vector<Case> table() {
     std::vector<Case> all;
     for (const auto group :
-         {bilateralUpsamplingCases, cacheCases, colourCases, coordinateCases, depthCases,
-          directionalBilateralCases, feedbackCases, historyCases, historyConstraintCases, missDetectionCases,
-          neighbourhoodCases, packingCases, reprojectionCases, samplingCases, toneMappingCases})
+         {bilateralUpsamplingCases, cacheResamplingCases, colourCases, coordinateCases, depthCases,
+          depthEncodingCases, directionalBilateralCases, exponentialHistoryCases, feedbackCases,
+          historyConstraintCases, historyWriteCases, missDetectionCases, neighbourhoodCases, packingCases,
+          reprojectionCacheCases, reprojectionCases, samplingCases, toneMappingCases})
         for (Case& each : group())
             all.push_back(std::move(each));
     std::stable_sort(all.begin(), all.end(),
