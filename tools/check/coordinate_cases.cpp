@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// conventions.hlsli and coordinates.hlsli.
+// conventions.hlsli, coordinates.hlsli and half_pixel.hlsli.
 #include "cases.hpp"
 #include "sweep.hpp"
 
@@ -8,7 +8,8 @@ namespace {
 
 using Defines = std::map<std::string, int>;
 
-const std::string conventions = "reprise/conventions.hlsli", coordinates = "reprise/coordinates.hlsli";
+const std::string conventions = "reprise/conventions.hlsli", coordinates = "reprise/coordinates.hlsli",
+                  halfPixel = "reprise/half_pixel.hlsli";
 
 glm::dmat4 matrixOf(const Row& in) {
     return {dvec4(in[0]), dvec4(in[1]), dvec4(in[2]), dvec4(in[3])};
@@ -143,10 +144,42 @@ std::vector<Row> edges(const Effort& effort) {
     return rows;
 }
 
+// In Direct3D 9 half a pixel of 2 / extent to the left and up, times w; elsewhere nothing.
+Case offsets(bool direct3d9) {
+    return {
+        direct3d9 ? "clip positions 1e-11 to 1e11, targets to 16384, Direct3D 9"
+                  : "clip positions 1e-11 to 1e11, targets to 16384",
+        {"halfPixelOffset",
+         {halfPixel},
+         "out0 = halfPixelOffset(in0, in1.xy);",
+         5,
+         1,
+         Defines{{"PLATFORM_D3D9", direct3d9}}},
+        {Unit::roundings, direct3d9 ? 2.0 : 0.0, "a product and a sum at the sum of both; elsewhere a copy"},
+        [direct3d9](const Effort& effort) {
+            std::vector<Row> rows = matricesAndVectors(effort);
+            Random random(2);
+            for (Row& row : rows)
+                row[1] = 1.0f / (1.0f + vec4(random.below(16384), random.below(16384), 0, 0));
+            return Sweep{rows, [direct3d9](const Row& in) {
+                             const dvec4 clip(in[0]);
+                             const dvec2 texel(in[1].x, in[1].y);
+                             dvec4 moved = clip, size = glm::abs(clip);
+                             if (direct3d9) {
+                                 moved += dvec4(-texel.x * clip.w, texel.y * clip.w, 0.0, 0.0);
+                                 size += dvec4(texel * std::abs(clip.w), 0.0, 0.0);
+                             }
+                             return std::vector{Right{moved, size, 4}};
+                         }};
+        }};
+}
+
 } // namespace
 
 std::vector<Case> coordinateCases() {
-    return {transforming(false),
+    return {offsets(false),
+            offsets(true),
+            transforming(false),
             transforming(true),
             toUv(false),
             toUv(true),

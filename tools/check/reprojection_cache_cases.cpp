@@ -232,7 +232,7 @@ Case blends() {
 } // namespace
 
 std::vector<Case> reprojectionCacheCases() {
-    std::vector<Case> all{centres(false), centres(true), fromClip()};
+    std::vector<Case> all{fromClip()};
     all.push_back(fromDepth("standard", standardDepth()));
     all.push_back(fromDepth("reversed infinite", infiniteDepth()));
     all.push_back(fromDepth("orthographic", parallelDepth()));
