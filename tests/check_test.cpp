@@ -179,8 +179,8 @@ TEST(CheckMutants, wrongFunctionsAreReportedForWhatTheyDo) {
          "max(variance, 0.0)", "infinity"},
         // Moments about zero, which cancel in dark detail on a bright base.
         {"boxOfVariance", "neighbourhood", "(mean - n.centre) * (mean - n.centre)", "mean * mean", above},
-        {"clipToBoxCentre", "history_constraint", "max(0.5 * (box.maximum - box.minimum), MIN_BOX_EXTENT)",
-         "0.5 * (box.maximum - box.minimum)", above},
+        {"clipToBoxCentre", "history_constraint", "max(box.maximum - box.minimum, 2.0 * times * minExtent)",
+         "box.maximum - box.minimum", above},
         {"clipToUv", "reprojection", "inFront && all(abs(uv) <= 8.0)", "inFront", "infinity"},
         {"clipToUv", "reprojection", "positionCS.w > 0.0", "positionCS.w != 0.0", above},
         {"linearDepthFromDevice", "depth", "1.0 / max(affine, 1e-30)", "1.0 / affine", "infinity"},

@@ -74,11 +74,11 @@ void main()
     ivec3 _278 = floatBitsToInt(_193);
     ivec3 _282 = floatBitsToInt(_213);
     ivec3 _283 = floatBitsToInt(_223);
-    vec3 _304 = (intBitsToFloat(min(min(_264, _265), _267)) + intBitsToFloat(min(min(_264, floatBitsToInt(intBitsToFloat(min(min(_277, _278), _265)))), floatBitsToInt(intBitsToFloat(min(min(_282, _283), _267)))))) * 0.5;
+    vec3 _305 = (intBitsToFloat(min(min(_264, _265), _267)) + intBitsToFloat(min(min(_264, floatBitsToInt(intBitsToFloat(min(min(_277, _278), _265)))), floatBitsToInt(intBitsToFloat(min(min(_282, _283), _267)))))) * 0.5;
     vec3 _306 = (intBitsToFloat(max(max(_273, _265), _267)) + intBitsToFloat(max(max(_273, floatBitsToInt(intBitsToFloat(max(max(_277, _278), _265)))), floatBitsToInt(intBitsToFloat(max(max(_282, _283), _267)))))) * 0.5;
-    vec3 _307 = clamp(_257, _304, _306);
+    vec3 _307 = clamp(_257, _305, _306);
     vec3 _308 = clamp(textureLod(gHistoryColour, _169, 0.0).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0)) - _307;
-    vec3 _326 = abs(vec3((_308.x > 0.0) ? _306.x : _304.x, (_308.y > 0.0) ? _306.y : _304.y, (_308.z > 0.0) ? _306.z : _304.z) - _307);
+    vec3 _326 = abs(vec3((_308.x > 0.0) ? _306.x : _305.x, (_308.y > 0.0) ? _306.y : _305.y, (_308.z > 0.0) ? _306.z : _305.z) - _307);
     vec3 _331 = (_326 + vec3(1.0000000031710768509710513471353e-30)) / (max(abs(_308), _326) + vec3(1.0000000031710768509710513471353e-30));
     vec3 _353 = min((_257 + (((_307 + (_308 * min(_331.x, min(_331.y, _331.z)))) - _257) * (all(lessThanEqual(abs(_169 - vec2(0.5)), vec2(0.5))) ? (parameters.gFeedbackMax * parameters.gHistoryValid) : 0.0))) * 65536.0, vec3(65504.0));
     vec2 _369 = fma(gl_FragCoord.xy, parameters.gOutputSize.zw, parameters.gJitterPx * parameters.gOutputSize.zw);

@@ -97,11 +97,11 @@ void main()
     ivec3 _276 = floatBitsToInt(_191);
     ivec3 _280 = floatBitsToInt(_211);
     ivec3 _281 = floatBitsToInt(_221);
-    vec3 _302 = (intBitsToFloat(min(min(_262, _263), _265)) + intBitsToFloat(min(min(_262, floatBitsToInt(intBitsToFloat(min(min(_275, _276), _263)))), floatBitsToInt(intBitsToFloat(min(min(_280, _281), _265)))))) * 0.5;
+    vec3 _303 = (intBitsToFloat(min(min(_262, _263), _265)) + intBitsToFloat(min(min(_262, floatBitsToInt(intBitsToFloat(min(min(_275, _276), _263)))), floatBitsToInt(intBitsToFloat(min(min(_280, _281), _265)))))) * 0.5;
     vec3 _304 = (intBitsToFloat(max(max(_271, _263), _265)) + intBitsToFloat(max(max(_271, floatBitsToInt(intBitsToFloat(max(max(_275, _276), _263)))), floatBitsToInt(intBitsToFloat(max(max(_280, _281), _265)))))) * 0.5;
-    vec3 _305 = clamp(_255, _302, _304);
+    vec3 _305 = clamp(_255, _303, _304);
     vec3 _306 = clamp(textureLod(gHistoryColour, _167, 0.0).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0)) - _305;
-    vec3 _324 = abs(vec3((_306.x > 0.0) ? _304.x : _302.x, (_306.y > 0.0) ? _304.y : _302.y, (_306.z > 0.0) ? _304.z : _302.z) - _305);
+    vec3 _324 = abs(vec3((_306.x > 0.0) ? _304.x : _303.x, (_306.y > 0.0) ? _304.y : _303.y, (_306.z > 0.0) ? _304.z : _303.z) - _305);
     vec3 _329 = (_324 + vec3(1.0000000031710768509710513471353e-30)) / (max(abs(_306), _324) + vec3(1.0000000031710768509710513471353e-30));
     vec3 _351 = min((_255 + (((_305 + (_306 * min(_329.x, min(_329.y, _329.z)))) - _255) * (all(lessThanEqual(abs(_167 - vec2(0.5)), vec2(0.5))) ? (parameters.gFeedbackMax * parameters.gHistoryValid) : 0.0))) * 65536.0, vec3(65504.0));
     vec2 _367 = gl_FragCoord.xy * parameters.gOutputSize.zw + (parameters.gJitterPx * parameters.gOutputSize.zw);

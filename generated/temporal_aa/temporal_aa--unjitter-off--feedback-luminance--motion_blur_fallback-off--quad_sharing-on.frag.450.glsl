@@ -65,16 +65,16 @@ void main()
     ivec3 _239 = floatBitsToInt(_189 - (dFdyFine(_189) * _87));
     ivec3 _243 = floatBitsToInt(_197 - (dFdxFine(_197) * _82));
     ivec3 _244 = floatBitsToInt(clamp(textureLod(gInColour, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, _174), 0.0).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0)));
-    vec3 _268 = ((intBitsToFloat(max(max(_234, _226), _228)) + intBitsToFloat(max(max(_234, floatBitsToInt(intBitsToFloat(max(max(_238, _239), _226)))), floatBitsToInt(intBitsToFloat(max(max(_243, _244), _228)))))) * 0.5) * 0.5;
-    vec3 _269 = ((intBitsToFloat(min(min(_225, _226), _228)) + intBitsToFloat(min(min(_225, floatBitsToInt(intBitsToFloat(min(min(_238, _239), _226)))), floatBitsToInt(intBitsToFloat(min(min(_243, _244), _228)))))) * 0.5) * 0.5;
-    vec3 _270 = _268 + _269;
-    vec3 _272 = max(_268 - _269, vec3(1.5258789240815695542607954848791e-12));
-    vec3 _273 = clamp(textureLod(gHistoryColour, _166, 0.0).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0)) - _270;
-    vec3 _276 = _272 / max(abs(_273), _272);
-    vec3 _283 = _270 + (_273 * min(_276.x, min(_276.y, _276.z)));
-    float _284 = dot(_181, vec3(0.2125999927520751953125, 0.715200006961822509765625, 0.072200000286102294921875));
-    float _286 = dot(_283, vec3(0.2125999927520751953125, 0.715200006961822509765625, 0.072200000286102294921875));
-    float _299 = max(1.0 - (abs(fma(_284, 65536.0, _286 * (-65536.0))) / max(max(_284 * 65536.0, _286 * 65536.0), 0.20000000298023223876953125)), 0.0);
-    gOutHistory = vec4(min((_181 + ((_283 - _181) * (all(lessThanEqual(abs(_166 - vec2(0.5)), vec2(0.5))) ? (mix(parameters.gFeedbackMin, parameters.gFeedbackMax, _299 * _299) * parameters.gHistoryValid) : 0.0))) * 65536.0, vec3(65504.0)), 1.0);
+    vec3 _264 = intBitsToFloat(min(min(_225, _226), _228)) + intBitsToFloat(min(min(_225, floatBitsToInt(intBitsToFloat(min(min(_238, _239), _226)))), floatBitsToInt(intBitsToFloat(min(min(_243, _244), _228)))));
+    vec3 _265 = intBitsToFloat(max(max(_234, _226), _228)) + intBitsToFloat(max(max(_234, floatBitsToInt(intBitsToFloat(max(max(_238, _239), _226)))), floatBitsToInt(intBitsToFloat(max(max(_243, _244), _228)))));
+    vec3 _266 = _265 + _264;
+    vec3 _268 = max(_265 - _264, vec3(6.1035156963262782170431819395162e-12));
+    vec3 _270 = (clamp(textureLod(gHistoryColour, _166, 0.0).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0)) * 4.0) - _266;
+    vec3 _273 = _268 / max(abs(_270), _268);
+    vec3 _281 = (_266 + (_270 * min(_273.x, min(_273.y, _273.z)))) * 0.25;
+    float _282 = dot(_181, vec3(13932.953125, 46871.34765625, 4731.69921875));
+    float _283 = dot(_281, vec3(13932.953125, 46871.34765625, 4731.69921875));
+    float _294 = max(1.0 - (abs(_282 - _283) / max(max(_282, _283), 0.20000000298023223876953125)), 0.0);
+    gOutHistory = vec4(min((_181 + ((_281 - _181) * (all(lessThanEqual(abs(_166 - vec2(0.5)), vec2(0.5))) ? (mix(parameters.gFeedbackMin, parameters.gFeedbackMax, _294 * _294) * parameters.gHistoryValid) : 0.0))) * 65536.0, vec3(65504.0)), 1.0);
 }
 

@@ -82,7 +82,7 @@ float workingLuminance(float3 colour) {
 #if COLOUR_SPACE_YCOCG
     return colour.x * WORKING_RANGE;
 #else
-    return luminance(colour) * WORKING_RANGE;
+    return dot(colour, LUMINANCE_WEIGHTS * WORKING_RANGE);
 #endif
 }
 
@@ -114,8 +114,18 @@ float3 readHistory(float2 uv) {
 
 // --- Steps
 
+// The clip can do with the sum of the two boxes whose mean is the rounded one.
+#define BOX_IS_SUM (NEIGHBOURHOOD_ROUNDED && CONSTRAINT_CLIP_CENTRE && COLOUR_SPACE_RGB)
+#if BOX_IS_SUM
+static const float BOX_TIMES = 2.0;
+#else
+static const float BOX_TIMES = 1.0;
+#endif
+
 ColourBox neighbourhoodBox(Neighbourhood n) {
-#if NEIGHBOURHOOD_ROUNDED
+#if BOX_IS_SUM
+    ColourBox box = twiceBoxRounded(n);
+#elif NEIGHBOURHOOD_ROUNDED
     ColourBox box = boxRounded(n);
 #elif NEIGHBOURHOOD_VARIANCE
     ColourBox box = boxOfVariance(n);
@@ -144,7 +154,7 @@ float3 constrain(float3 history, float3 current, ColourBox box) {
 #if CONSTRAINT_CLAMP
     return clampToBox(history, box);
 #elif CONSTRAINT_CLIP_CENTRE
-    return clipToBoxCentre(history, box, MIN_BOX_EXTENT / WORKING_RANGE);
+    return clipToBoxCentre(history, box, BOX_TIMES, MIN_BOX_EXTENT / WORKING_RANGE);
 #elif CONSTRAINT_CLIP_LINE
     return clipToBoxLine(history, current, box);
 #else

@@ -28,9 +28,12 @@ float3 fromUnitColour(float3 unit) {
     return min(unit * UNIT_COLOUR_RANGE, MAX_COLOUR);
 }
 
-// Relative luminance of linear Rec. 709 colour.
+// Of linear Rec. 709 colour.
+static const float3 LUMINANCE_WEIGHTS = float3(0.2126, 0.7152, 0.0722);
+
+// Relative luminance.
 float luminance(float3 colour) {
-    return dot(colour, float3(0.2126, 0.7152, 0.0722));
+    return dot(colour, LUMINANCE_WEIGHTS);
 }
 
 // Y in [0,1], Co and Cg in [-0.5,0.5] for colour in [0,1]. INSIDE bonus slide, "Clipping in YCoCg".

@@ -17,18 +17,18 @@ float3 clampToBox(float3 history, ColourBox box) {
 }
 
 // Moves history along the line to the centre of the box until it is inside: clip_aabb of the talk (I6), with
-// `ax` read as max and the zero extent guarded. minExtent > 0 is what a side counts as at least, in the unit
-// of the colours.
-float3 clipToBoxCentre(float3 history, ColourBox box, float minExtent) {
-    float3 centre = 0.5 * box.maximum + 0.5 * box.minimum;
-    float3 extent = max(0.5 * box.maximum - 0.5 * box.minimum, minExtent);
-    float3 offset = history - centre;
+// `ax` read as max and the zero extent guarded. `box` is the box times `times`, so that a mean of two boxes
+// needs no product. minExtent > 0 is what a side counts as at least, in the unit of the colours.
+float3 clipToBoxCentre(float3 history, ColourBox box, float times, float minExtent) {
+    float3 centre = box.maximum + box.minimum;   // as all that follows, 2 * times what it is
+    float3 extent = max(box.maximum - box.minimum, 2.0 * times * minExtent);
+    float3 offset = history * (2.0 * times) - centre;
     float3 share = extent / max(abs(offset), extent);   // of the way that is inside, per axis
-    return centre + offset * min(share.x, min(share.y, share.z));
+    return (centre + offset * min(share.x, min(share.y, share.z))) * (0.5 / times);
 }
 
 float3 clipToBoxCentre(float3 history, ColourBox box) {
-    return clipToBoxCentre(history, box, MIN_BOX_EXTENT);
+    return clipToBoxCentre(history, box, 1.0, MIN_BOX_EXTENT);
 }
 
 // Moves history along the line to the current colour until it is inside: the line clip that the talk calls

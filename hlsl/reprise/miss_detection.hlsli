@@ -64,6 +64,8 @@ bool isCacheHit(float2 prevUv, float lastDepth, float cacheDepth, float zThresho
 
 // By as much a place in pixels is off: UV of binary32 times 16384 pixels, and the difference of two.
 static const float PLACE_ERROR_PX = 1.0 / 256.0;
+// An area that is less of the products it is the difference of may be their rounding.
+static const float AREA_ROUNDING = 1e-6;
 
 // Whether the pixel, as it lay in the previous image, covers the centre of one there; if not, history is
 // magnified too much, and misses. prevPx: its place, centres at halves; ddxPx and ddyPx: the way to the next
@@ -74,13 +76,14 @@ bool coversPixelCentre(float2 prevPx, float2 ddxPx, float2 ddyPx) {
     float2 f = frac(prevPx - 0.5);    // from the centre up and left; the other three lie 1 on
     float4 x = float4(f.x, f.x - 1.0, f.x, f.x - 1.0);
     float4 y = float4(f.y, f.y, f.y - 1.0, f.y - 1.0);
-    float area = abs(ddxPx.x * ddyPx.y - ddxPx.y * ddyPx.x);
+    float2 products = float2(ddxPx.x * ddyPx.y, ddxPx.y * ddyPx.x);
+    float area = abs(products.x - products.y);
     float2 slack = PLACE_ERROR_PX * float2(abs(ddyPx.x) + abs(ddyPx.y), abs(ddxPx.x) + abs(ddxPx.y));
     float4 acrossDdx = abs(x * ddyPx.y - y * ddyPx.x) - slack.x;
     float4 acrossDdy = abs(x * ddxPx.y - y * ddxPx.x) - slack.y;
     float4 farther = max(acrossDdx, acrossDdy);
     float nearest = min(min(farther.x, farther.y), min(farther.z, farther.w));
-    return area > 0.0 && nearest <= 0.5 * area;
+    return area > AREA_ROUNDING * (abs(products.x) + abs(products.y)) && nearest <= 0.5 * area;
 }
 
 #if !STAGE_COMPUTE

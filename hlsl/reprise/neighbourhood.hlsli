@@ -79,13 +79,21 @@ ColourBox boxOfSquare(Neighbourhood n) {
     return box;
 }
 
-// "Rounded": the mean of the box of the 3x3 and of the box of its plus (I6).
-ColourBox boxRounded(Neighbourhood n) {
+// "Rounded": the mean of the box of the 3x3 and of the box of its plus (I6). Twice it is their sum, which
+// clipToBoxCentre() can do with.
+ColourBox twiceBoxRounded(Neighbourhood n) {
     ColourBox plus = boxOfPlus(n);
     ColourBox square = boxOfSquare(n);
     ColourBox box;
-    box.minimum = 0.5 * (plus.minimum + square.minimum);
-    box.maximum = 0.5 * (plus.maximum + square.maximum);
+    box.minimum = plus.minimum + square.minimum;
+    box.maximum = plus.maximum + square.maximum;
+    return box;
+}
+
+ColourBox boxRounded(Neighbourhood n) {
+    ColourBox box = twiceBoxRounded(n);
+    box.minimum *= 0.5;
+    box.maximum *= 0.5;
     return box;
 }
 

@@ -95,6 +95,13 @@ Comparison clippingToCentre() {
             }};
 }
 
+Comparison clippingToTwiceTheBox() {
+    Comparison comparison = clippingToCentre();
+    comparison.function.body = fillBox + "box.minimum *= 2.0; box.maximum *= 2.0;"
+                                         "out0.xyz = clipToBoxCentre(in0.xyz, box, 2.0, MIN_BOX_EXTENT);";
+    return comparison;
+}
+
 Comparison clippingToLine() {
     return {{"clipToBoxLine", {header}, fillBox + "out0.xyz = clipToBoxLine(in0.xyz, in3.xyz, box);", 4},
             // Farther out the guard against 0/0 is no longer lost: history still ends in the box, which
@@ -118,6 +125,9 @@ TEST(HistoryConstraint, clampHoldsEachChannel) {
 
 TEST(HistoryConstraint, clipToCentreAgreesFarOutsideAndInFlatBoxes) {
     expectAgrees(clippingToCentre());
+    expectAgrees(clippingToTwiceTheBox());
+    expectCaught(clippingToTwiceTheBox(),
+                 {header, "history * (2.0 * times) - centre", "history * 2.0 - centre"});
 }
 
 TEST(HistoryConstraint, clipToLineAgreesFarOutsideAndInFlatBoxes) {
@@ -137,15 +147,15 @@ TEST(HistoryConstraint, thePrintedAxOfClipAabbIsCaught) {
 }
 
 TEST(HistoryConstraint, thePrintedDivisionByAZeroExtentIsCaught) {
-    expectCaught(clippingToCentre(), {header, "max(0.5 * box.maximum - 0.5 * box.minimum, minExtent)",
-                                      "0.5 * box.maximum - 0.5 * box.minimum"});
+    expectCaught(clippingToCentre(), {header, "max(box.maximum - box.minimum, 2.0 * times * minExtent)",
+                                      "box.maximum - box.minimum"});
     // The slide itself: unit space first, then the comparison.
     expectCaught(clippingToCentre(),
-                 {header, "float3 extent = max(0.5 * box.maximum - 0.5 * box.minimum, minExtent);",
-                  "float3 extent = 0.5 * (box.maximum - box.minimum);"
-                  "float3 printed = abs((history - centre) / extent);"
+                 {header, "float3 extent = max(box.maximum - box.minimum, 2.0 * times * minExtent);",
+                  "float3 middle = 0.5 * centre, extent = 0.5 * (box.maximum - box.minimum);"
+                  "float3 printed = abs((history - middle) / extent);"
                   "float ma = max(printed.x, max(printed.y, printed.z));"
-                  "return ma > 1.0 ? centre + (history - centre) / ma : history;"});
+                  "return ma > 1.0 ? middle + (history - middle) / ma : history;"});
 }
 
 TEST(HistoryConstraint, clipThatPullsInsideHistoryToTheBorderIsCaught) {

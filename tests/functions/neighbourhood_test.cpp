@@ -109,8 +109,8 @@ TEST(Neighbourhood, varianceIsMeanAndDeviationOfNine) {
 }
 
 TEST(Neighbourhood, roundedWithoutThePlusIsCaught) {
-    expectCaught(roundedBox(), {header, "0.5 * (plus.minimum + square.minimum)", "square.minimum"});
-    expectCaught(roundedBox(), {header, "0.5 * (plus.maximum + square.maximum)", "plus.maximum"});
+    expectCaught(roundedBox(), {header, "plus.minimum + square.minimum", "2.0 * square.minimum"});
+    expectCaught(roundedBox(), {header, "plus.maximum + square.maximum", "2.0 * plus.maximum"});
 }
 
 TEST(Neighbourhood, boxWithAForgottenOrWrongTexelIsCaught) {

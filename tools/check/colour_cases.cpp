@@ -109,9 +109,12 @@ std::vector<Right> compressOracle(const Row& in) {
     return {right(value, glm::abs(value))};
 }
 
+constexpr double expandRoundings = 12.0;
+
+// A denormal may be taken for 0, and what it would have been divided by is at least 1 / 65505.
 std::vector<Right> expandOracle(const Row& in) {
     const dvec3 value = oracle::expandHdr(xyz(in[0]));
-    return {right(value, glm::abs(value))};
+    return {right(value, glm::abs(value) + 65505.0 * 0x1p-126 / (expandRoundings * roundoff))};
 }
 
 std::vector<Row> compressedColours(const Effort& effort) {
@@ -139,7 +142,8 @@ std::vector<Case> compression() {
          [](const Effort& effort) { return over(beyondColours(effort, 10), compressOracle); }},
         {"complements 2^-k, and to ±1e30",
          call("expandHdr", "out0.xyz = expandHdr(in0.xyz);"),
-         {Unit::roundings, 12.0, "two divisions, of which one gives the least complement, and a sum"},
+         {Unit::roundings, expandRoundings,
+          "two divisions, of which one gives the least complement, and a sum"},
          [](const Effort& effort) { return over(compressedColours(effort), expandOracle); }},
         {"round trip, 0 to 65504",
          call("expandHdr", "out0.xyz = expandHdr(compressHdr(in0.xyz));"),

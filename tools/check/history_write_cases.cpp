@@ -104,8 +104,9 @@ std::vector<Case> writes() {
          }},
         {sweep,
          {"errorCarryingHalf", {write}, "out0.xy = errorCarryingHalf(in0.x);"},
-         {Unit::exact, 0.0,
-          "multiples of a power of 2, and exact differences; open within 3e-4 of half a step"},
+         {Unit::absolute, 0x1p-102,
+          "multiples of a power of 2, and exact differences; a denormal, of steps of 2^-24, may be taken for "
+          "0; open within 3e-4 of half a step"},
          [](const Effort& effort) {
              return Sweep{noisyValues(effort), [](const Row& in) {
                               const double value = heldHalf(in[0].x);

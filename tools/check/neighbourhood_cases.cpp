@@ -134,18 +134,22 @@ std::vector<Case> boxesOfNine() {
                      rows.push_back(row);
                  return Sweep{rows, [kind](const Row& in) { return rights(kind.of(squareOf(in))); }};
              }});
-    all.push_back({"flat to unrelated, to ±1e30",
-                   boxCall("boxRounded"),
-                   {Unit::roundings, 2.0, "a sum, halved exactly"},
-                   [](const Effort& effort) {
-                       std::vector<Row> rows = squares(effort, 3);
-                       for (const Row& row : beyondSquares(effort, 4))
-                           rows.push_back(row);
-                       return Sweep{rows, [](const Row& in) {
-                                        const oracle::Square square = squareOf(in);
-                                        return rights(oracle::boxRounded(square), largestOf(square));
-                                    }};
-                   }});
+    for (const double times : {1.0, 2.0})
+        all.push_back(
+            {"flat to unrelated, to ±1e30",
+             boxCall(times == 1.0 ? "boxRounded" : "twiceBoxRounded"),
+             {Unit::roundings, 2.0, "a sum, halved exactly or not at all"},
+             [times](const Effort& effort) {
+                 std::vector<Row> rows = squares(effort, 3);
+                 for (const Row& row : beyondSquares(effort, 4))
+                     rows.push_back(row);
+                 return Sweep{
+                     rows, [times](const Row& in) {
+                         const oracle::Square square = squareOf(in);
+                         const oracle::Box box = oracle::boxRounded(square);
+                         return rights({times * box.minimum, times * box.maximum}, times * largestOf(square));
+                     }};
+             }});
     all.push_back({"flat to unrelated, 0 to 65504",
                    boxCall("boxOfVariance"),
                    {Unit::roundings, varianceRoundings,
