@@ -11,7 +11,7 @@
 //   TEXTURE_ARGUMENT(gInColour)     the texture at the call
 //   PALETTE(gInJoints, Joint, 2)    structures that a vertex stage picks from by index, as binding 2
 //   PALETTE_PARAMETER(joints, Joint)   the same as parameter of a function
-//   BINDING(0), LOCATION(0)         Vulkan's numbers, before a declaration
+//   BINDING(0), LOCATION(0), CONSTANT_ID(0)   Vulkan's numbers, before a declaration
 //   POSITION_PX                     semantic of a fragment's position in pixels, centres at halves
 //   TARGET_SIZE(gOutputSize);       width, height, 1 / width, 1 / height of the target, for halfPixelOffset()
 //
@@ -35,6 +35,7 @@
 #define PALETTE_PARAMETER(name, type) type name[30]
 #define BINDING(number)
 #define LOCATION(number)
+#define CONSTANT_ID(number)
 
 #elif PLATFORM_D3D11
 
@@ -43,6 +44,7 @@
 #define TEXTURE_LINEAR(name, slot) TEXTURE_POINT(name, slot)
 #define BINDING(number)
 #define LOCATION(number)
+#define CONSTANT_ID(number)
 
 #else
 
@@ -51,6 +53,7 @@
 #define TEXTURE_LINEAR(name, slot) TEXTURE_POINT(name, slot)
 #define BINDING(number) [[vk::binding(number)]]
 #define LOCATION(number) [[vk::location(number)]]
+#define CONSTANT_ID(number) [[vk::constant_id(number)]]
 
 #endif
 

@@ -10,6 +10,8 @@
 #ifndef REPRISE_QUAD_SHARING_HLSLI
 #define REPRISE_QUAD_SHARING_HLSLI
 
+#include "reprise/platform.hlsli"
+
 // Direction of a pixel's outer side: -1 in the left column or upper row of its quad, +1 in the other.
 float2 quadSide(float2 positionPx) {
     return frac(floor(positionPx) * 0.5) * 4.0 - 1.0;
@@ -21,7 +23,7 @@ float2 quadSide(float2 positionPx) {
 #if !PLATFORM_D3D11 || QUAD_SHARING
 
 // A power of two from 8 to the size of the device's subgroups, at most 32. The runtime gives the largest.
-[[vk::constant_id(0)]] const uint SUBGROUP_ROW_WIDTH = 8;
+CONSTANT_ID(0) const uint SUBGROUP_ROW_WIDTH = 8;
 
 // Place in the row, from 0 on.
 uint subgroupColumn() {

@@ -23,7 +23,7 @@ constexpr Exception exceptionRows[] = {
      Stage::compute,
      "temporal_aa",
      {"QUAD_SHARING", "on"},
-     "QuadReadAcrossX",
+     "WaveGetLaneIndex",
      "quad operations in compute need shader model 6, which another compiler makes"},
 };
 
