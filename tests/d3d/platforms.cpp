@@ -24,7 +24,7 @@ constexpr Exception exceptionRows[] = {
      "temporal_aa",
      {"QUAD_SHARING", "on"},
      "WaveGetLaneIndex",
-     "quad operations in compute need shader model 6, which another compiler makes"},
+     "subgroup operations in compute need shader model 6, which another compiler makes"},
 };
 
 constexpr HeaderException headerExceptionRows[] = {
