@@ -74,7 +74,7 @@ void main()
     vec3 _283 = _270 + (_273 * min(_276.x, min(_276.y, _276.z)));
     float _284 = dot(_181, vec3(0.2125999927520751953125, 0.715200006961822509765625, 0.072200000286102294921875));
     float _286 = dot(_283, vec3(0.2125999927520751953125, 0.715200006961822509765625, 0.072200000286102294921875));
-    float _298 = 1.0 - (abs(fma(_284, 65536.0, _286 * (-65536.0))) / max(max(_284 * 65536.0, _286 * 65536.0), 0.20000000298023223876953125));
-    gOutHistory = vec4(min((_181 + ((_283 - _181) * (all(lessThanEqual(abs(_166 - vec2(0.5)), vec2(0.5))) ? (mix(parameters.gFeedbackMin, parameters.gFeedbackMax, _298 * _298) * parameters.gHistoryValid) : 0.0))) * 65536.0, vec3(65504.0)), 1.0);
+    float _299 = max(1.0 - (abs(fma(_284, 65536.0, _286 * (-65536.0))) / max(max(_284 * 65536.0, _286 * 65536.0), 0.20000000298023223876953125)), 0.0);
+    gOutHistory = vec4(min((_181 + ((_283 - _181) * (all(lessThanEqual(abs(_166 - vec2(0.5)), vec2(0.5))) ? (mix(parameters.gFeedbackMin, parameters.gFeedbackMax, _299 * _299) * parameters.gHistoryValid) : 0.0))) * 65536.0, vec3(65504.0)), 1.0);
 }
 

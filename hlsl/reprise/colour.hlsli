@@ -49,9 +49,10 @@ float maxComponent(float3 colour) {
 }
 
 // [0, MAX_COLOUR] to [0, 1): Reinhard on the largest component, so that hue is kept and averages weigh each
-// sample by 1 / (1 + max). HDR resolve, T4; Karis for temporal anti-aliasing.
+// sample by 1 / (1 + max). HDR resolve, T4; Karis for temporal anti-aliasing. Without the inner maximum a
+// colour of -1 would be divided by 0.
 float3 compressHdr(float3 colour) {
-    return colour / (1.0 + maxComponent(colour));
+    return colour / (1.0 + max(maxComponent(colour), 0.0));
 }
 
 // The inverse. A maximum of 1 and above, which rounding can bring, gives MAX_COLOUR and no infinity.

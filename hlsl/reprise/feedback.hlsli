@@ -8,10 +8,11 @@
 static const float FEEDBACK_LUMINANCE_FLOOR = 0.2;
 
 // Weight of history in [weightMin, weightMax]: high where the luminance of input and constrained history
-// agree, low where they differ. Luminances are >= 0.
+// agree, low where they differ. Luminances are >= 0; of a negative one the weight is weightMin, where the
+// square alone would grow without end.
 float luminanceFeedback(float currentLuminance, float historyLuminance, float weightMin, float weightMax) {
     float largest = max(max(currentLuminance, historyLuminance), FEEDBACK_LUMINANCE_FLOOR);
-    float agreement = 1.0 - abs(currentLuminance - historyLuminance) / largest;
+    float agreement = max(1.0 - abs(currentLuminance - historyLuminance) / largest, 0.0);
     return lerp(weightMin, weightMax, agreement * agreement);
 }
 

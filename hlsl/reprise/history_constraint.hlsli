@@ -44,4 +44,20 @@ float3 clipToBoxLine(float3 history, float3 current, ColourBox box) {
     return start + direction * min(share.x, min(share.y, share.z));
 }
 
+// clip_aabb of the talk by its own name, with its fourth channel: history q slides towards the box's centre
+// and p.w, all four channels by the same share of the way; the box alone says how far. p is the current
+// colour. Guarded as above; a q that is no number in any channel gives the centre and p.w. All else up to
+// 1e30, aabb_min <= aabb_max.
+float4 clip_aabb(float3 aabb_min, float3 aabb_max, float4 p, float4 q) {
+    float4 p_clip = float4(0.5 * aabb_max + 0.5 * aabb_min, p.w);
+    float3 e_clip = max(0.5 * aabb_max - 0.5 * aabb_min, MIN_BOX_EXTENT);
+    if (!all(abs(q) <= 1e38)) {
+        return p_clip;
+    }
+    float4 v_clip = q - p_clip;
+    float3 share = e_clip / (abs(v_clip.xyz) + TINY);
+    float smallest = min(share.x, min(share.y, share.z));
+    return smallest < 1.0 ? p_clip + v_clip * smallest : q;
+}
+
 #endif

@@ -12,9 +12,9 @@ static const int MOTION_BLUR_TAPS = 3;
 static const float MOTION_BLUR_SHUTTER = 0.5;
 
 // 1 where history is shown, 0 where motion blur is: k_trust = invlerp(to, from, |v|), 1 at 2 px and 0 at 15
-// px. blurToPx > blurFromPx >= 0.
+// px. blurToPx > blurFromPx >= 0; where they are equal or swapped, a step at blurToPx and no 0/0.
 float motionBlurTrust(float motionPx, float blurFromPx, float blurToPx) {
-    return saturate((blurToPx - motionPx) / (blurToPx - blurFromPx));
+    return saturate((blurToPx - motionPx) / max(blurToPx - blurFromPx, 1e-6));
 }
 
 // Mean of the colour along the motion through uv; motion in UV, colour sampled bilinearly.

@@ -91,6 +91,8 @@ ColourBox boxRounded(Neighbourhood n) {
 
 // Mean of the 3x3 ± VARIANCE_BOX_DEVIATIONS standard deviations. Not of the talk.
 static const float VARIANCE_BOX_DEVIATIONS = 1.0;
+// The largest variance: colours that differ by more than 1e19 have squares that binary32 does not hold.
+static const float MAX_VARIANCE = 1e38;
 ColourBox boxOfVariance(Neighbourhood n) {
     float3 mean = (n.centre + ((n.left + n.right) + (n.up + n.down)) +
                    ((n.leftUp + n.rightUp) + (n.leftDown + n.rightDown))) / 9.0;
@@ -101,7 +103,9 @@ ColourBox boxOfVariance(Neighbourhood n) {
                     (n.rightUp - n.centre) * (n.rightUp - n.centre) +
                     (n.leftDown - n.centre) * (n.leftDown - n.centre) +
                     (n.rightDown - n.centre) * (n.rightDown - n.centre);
-    float3 variance = max(square / 9.0 - (mean - n.centre) * (mean - n.centre), 0.0);
+    float3 variance = square / 9.0 - (mean - n.centre) * (mean - n.centre);
+    // Rounding may leave less than 0; the comparison is false for the NaN of two infinite squares.
+    variance = variance > 0.0 ? min(variance, MAX_VARIANCE) : 0.0;
     float3 deviation = sqrt(variance) * VARIANCE_BOX_DEVIATIONS;
     ColourBox box;
     box.minimum = mean - deviation;

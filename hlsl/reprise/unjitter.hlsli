@@ -13,10 +13,11 @@ float3 unjitterWeightsBilinear(float jitterPx) {
 }
 
 // A Gaussian of UNJITTER_SIGMA_PX around the pixel centre: it also weighs the samples that fell into
-// neighbours.
+// neighbours. A jitter of more than a pixel, which no sequence has, counts as one: farther out all three
+// weights would be 0, and their quotient NaN.
 static const float UNJITTER_SIGMA_PX = 0.47;
 float3 unjitterWeightsGaussian(float jitterPx) {
-    float3 distancePx = float3(-1.0, 0.0, 1.0) - jitterPx;
+    float3 distancePx = float3(-1.0, 0.0, 1.0) - clamp(jitterPx, -1.0, 1.0);
     float3 weights = exp2(distancePx * distancePx * (-0.72134752 / (UNJITTER_SIGMA_PX * UNJITTER_SIGMA_PX)));
     return weights / (weights.x + weights.y + weights.z);
 }

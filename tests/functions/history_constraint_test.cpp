@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "function_runner.hpp"
 #include "inputs.hpp"
+#include "measured.hpp"
 
 #include <gtest/gtest.h>
 
@@ -183,6 +184,91 @@ TEST(HistoryConstraint, invertedBoxGivesFiniteColours) {
         rows.push_back({random.colour(), vec4(1.0f), random.in4(0.0f, 1.0f), random.colour()});
     for (const Comparison& each : {clamping(), clippingToCentre(), clippingToLine()})
         expectAgrees({each.function, rows, [](const Row&) { return std::vector{finite()}; }});
+}
+
+// The talk's function by its own name; history and current colour with a fourth channel.
+Comparison clippingAabb() {
+    Random random(6);
+    std::vector<Row> rows = constraintRows(7);
+    for (Row& row : rows) {
+        row[0].w = random.in(-1.0f, 2.0f);
+        row[3].w = random.unit();
+    }
+    const size_t whole = rows.size();
+    for (size_t i = 0; i < whole; i += 20) { // a history that is no number in one channel
+        rows.push_back(rows[i]);
+        rows.back()[0][static_cast<int>(random.below(4))] =
+            random.of(std::vector{notANumber, infinity, -infinity});
+    }
+    return {
+        {"clip_aabb", {header}, "out0 = clip_aabb(in1.xyz, in2.xyz, in3, in0);", 4}, rows, [](const Row& in) {
+            const dvec4 value = oracle::clipAabb(boxOf(in), dvec4(in[3]), dvec4(in[0]));
+            // What the longest side is uncertain by in relation to itself, the share of the way is, and with
+            // it what the fourth channel goes. Where a side is lost in the rounding of the centre, that is
+            // all of it.
+            const double box = clipBound(boxOf(in));
+            const double uncertain = 4.0 * box / std::max(largestSide(boxOf(in)), oracle::minBoxExtent);
+            const double way =
+                std::isfinite(in[0].w) ? std::abs(static_cast<double>(in[0].w) - in[3].w) : 0.0;
+            const double gone = std::abs(value.w - in[3].w);
+            Expected expected = near(value, box);
+            expected.bound.w = (uncertain < 1.0 ? uncertain * gone : way) + 8.0 * roundoff * (1.0 + way);
+            return std::vector{expected};
+        }};
+}
+
+TEST(HistoryConstraint, clipAabbMovesAllFourChannelsByOneShareOfTheWay) {
+    expectAgrees(clippingAabb());
+}
+
+TEST(HistoryConstraint, wrongFormsOfClipAabbAreCaught) {
+    const std::string smallest = "float smallest = min(share.x, min(share.y, share.z));";
+    expectCaught(clippingAabb(),
+                 {header, "return smallest < 1.0 ? p_clip + v_clip * smallest : q;",
+                  "return smallest < 1.0 ? float4(p_clip.xyz + v_clip.xyz * smallest, q.w) : q;"});
+    expectCaught(clippingAabb(),
+                 {header, "float4(0.5 * aabb_max + 0.5 * aabb_min, p.w)", "p"}); // towards p itself
+    expectCaught(clippingAabb(), {header, smallest, "float smallest = min(share.x, share.y);"});
+    expectCaught(clippingAabb(), {header, "if (!all(abs(q) <= 1e38))", "if (false)"});
+    expectCaught(clippingAabb(), {header, "max(0.5 * aabb_max - 0.5 * aabb_min, MIN_BOX_EXTENT)",
+                                  "0.5 * aabb_max - 0.5 * aabb_min"});
+}
+
+TEST(HistoryConstraint, historyInTheBoxPassesClipAabbUnchanged) {
+    Random random(8);
+    std::vector<Row> rows;
+    for (int i = 0; i < 500; ++i) {
+        const vec4 a = random.in4(0.0f, 1.0f), b = a + random.in4(0.1f, 1.0f);
+        rows.push_back({glm::mix(a, b, random.in4(0.01f, 0.99f)), a, b, random.in4(0.0f, 1.0f)});
+    }
+    expectAgrees(
+        {clippingAabb().function, rows, [](const Row& in) { return std::vector{near(dvec4(in[0]), 0.0)}; }});
+}
+
+TEST(HistoryConstraint, thePrintedAxOfClipAabbDoesNotCompile) {
+    const auto text = [](const std::string& name) {
+        return "[[vk::binding(0)]] RWTexture2D<float4> gOut;"
+               "[numthreads(8, 8, 1)] void mainCompute(uint3 id : SV_DispatchThreadID) {"
+               "    float3 a_unit = float3(id);"
+               "    gOut[id.xy] = max(a_unit.x, " +
+               name +
+               "(a_unit.y, a_unit.z));"
+               "}";
+    };
+    EXPECT_TRUE(compiles(text("max")));
+    EXPECT_FALSE(compiles(text("ax")));
+}
+
+TEST(HistoryConstraint, clipAabbOfAnyFiniteOrBrokenHistoryIsFinite) {
+    std::vector<Row> rows = hostileRows(hostileAny, 4, 3000, 9);
+    const std::vector<Row> numbers = hostileRows(hostileFinite, 4, 3000, 10);
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const Row& from = numbers[i % numbers.size()];
+        rows[i][1] = glm::min(from[1], from[2]);
+        rows[i][2] = glm::max(from[1], from[2]);
+        rows[i][3] = from[3];
+    }
+    expectNumbers(clippingAabb().function, rows);
 }
 
 } // namespace

@@ -101,6 +101,20 @@ inline dvec3 clipToBoxCentre(dvec3 history, Box box) {
     return centre + (history - centre) / largest;
 }
 
+// The same with a fourth channel, which goes the same share of the way from p's. A q that is no number is the
+// centre.
+inline dvec4 clipAabb(Box box, dvec4 p, dvec4 q) {
+    const dvec4 centre((box.minimum + box.maximum) / 2.0, p.w);
+    double largest = 1.0;
+    for (int channel = 0; channel < 4; ++channel)
+        if (!std::isfinite(q[channel])) return centre;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double halfLength = std::max((box.maximum[axis] - box.minimum[axis]) / 2.0, minBoxExtent);
+        largest = std::max(largest, std::abs(q[axis] - centre[axis]) / halfLength);
+    }
+    return centre + (q - centre) / largest;
+}
+
 // The last point of the way from the current colour to history that lies in the box; the current colour is
 // clamped into the box first.
 inline dvec3 clipToBoxLine(dvec3 history, dvec3 current, Box box) {

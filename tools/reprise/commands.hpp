@@ -2,6 +2,7 @@
 // The program's commands. Each throws std::exception with one sentence; main() prints it and ends with 1.
 #pragma once
 
+#include "check.hpp"
 #include "experiment.hpp"
 #include "floors.hpp"
 
@@ -26,6 +27,13 @@ struct ReportOptions {
     std::filesystem::path out = "report";
 };
 
+struct CheckOptions {
+    bool quick = false;
+    std::string function; // empty: all
+    std::string device;
+    std::filesystem::path out = "check.json";
+};
+
 struct PlanOptions {
     reprise::SceneNeeds needs;
     std::string stage = "compute", preset = "best", size = "1920x1080";
@@ -39,6 +47,10 @@ struct RenderOptions {
 };
 
 void reportCommand(const ReportOptions& options);
+void checkCommand(const CheckOptions& options);
+// The command over a table of the caller's own; `unchecked` are functions to be reported as without a case.
+void checkCases(const CheckOptions& options, const std::vector<check::Case>& cases,
+                const std::vector<check::PublicFunction>& unchecked);
 void listCommand();
 void planCommand(const PlanOptions& options);
 void renderCommand(const RenderOptions& options);

@@ -33,6 +33,16 @@ void addReport(CLI::App& app, ReportOptions& o, std::function<void()>& run) {
     command->callback([&] { run = [&o] { reportCommand(o); }; });
 }
 
+void addCheck(CLI::App& app, CheckOptions& o, std::function<void()>& run) {
+    CLI::App* command = app.add_subcommand(
+        "check", "Run every function over stiff and extreme inputs against double precision");
+    command->add_flag("--quick", o.quick, "A tenth of the inputs: seconds");
+    command->add_option("--function", o.function, "Only this function (default: all)");
+    command->add_option("--device", o.device, "Part of a device's name, or its index");
+    command->add_option("--out", o.out, "The JSON file")->capture_default_str();
+    command->callback([&] { run = [&o] { checkCommand(o); }; });
+}
+
 void addPlan(CLI::App& app, PlanOptions& o, std::function<void()>& run) {
     CLI::App* command =
         app.add_subcommand("plan", "Print what a scene needs: passes, images, reads, and what is left out");
@@ -79,12 +89,14 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     std::function<void()> run;
     ReportOptions report;
+    CheckOptions check;
     PlanOptions plan;
     RenderOptions render;
     addReport(app, report, run);
     app.add_subcommand("list", "Print passes, switches, scenes and devices")->callback([&] {
         run = listCommand;
     });
+    addCheck(app, check, run);
     addPlan(app, plan, run);
     addRender(app, render, run);
     try {

@@ -2,7 +2,7 @@
 // Pairs of cameras in every convention, and how far a place under the previous one may be off.
 #pragma once
 
-#include "function_runner.hpp"
+#include "hlsl_functions.hpp"
 #include "inputs.hpp"
 #include "projections.hpp"
 

@@ -2,7 +2,7 @@
 // Images of random and broken texels, and places in them.
 #pragma once
 
-#include "function_runner.hpp"
+#include "hlsl_functions.hpp"
 #include "inputs.hpp"
 
 namespace functions {

@@ -2,8 +2,9 @@
 // 3x3 neighbourhoods as rows of nine inputs.
 #pragma once
 
-#include "function_runner.hpp"
+#include "hlsl_functions.hpp"
 #include "inputs.hpp"
+#include "oracle.hpp"
 
 namespace functions {
 

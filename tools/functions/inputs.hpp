@@ -2,7 +2,7 @@
 // Random and hostile inputs. The same on every machine: the standard's distributions are not.
 #pragma once
 
-#include "function_runner.hpp"
+#include "hlsl_functions.hpp"
 
 #include <cmath>
 #include <limits>

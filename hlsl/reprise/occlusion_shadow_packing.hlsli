@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two values of [0,1] in one binary16: Drobot, Listing 7.4. One becomes a whole number from 0 to 31, the
+// other the fraction. Never to be read through a linear filter. Text and listing disagree on which is which:
+// both are here. A binary16 has 11 significant bits, (range + 1) levels of the fraction <= 2^11: 31 leaves it
+// 64 (docs/documents.md).
+#ifndef REPRISE_OCCLUSION_SHADOW_PACKING_HLSLI
+#define REPRISE_OCCLUSION_SHADOW_PACKING_HLSLI
+
+#include "reprise/bounded.hlsli"
+
+// Largest integer part, and what the printed form keeps the fraction from 0 and 1; Listing 7.4.
+static const float PACK_RANGE = 31.0;
+static const float MIN_FLT = 0.01;
+// The fraction that stands for 1: the largest that binary16 holds beside PACK_RANGE. No rounding lifts it.
+static const float PACK_FRACTION = 0.984375;
+
+// `whole` to the nearest of 32 levels (error 1/62), `part` in the fraction (error 1/126 where the store
+// rounds to nearest, 1/63 where it truncates; half of it for each halving of the integer). NaN is 0.
+float packUnitPair(float whole, float part) {
+    float integer = floor(bounded(whole, 0.0, 1.0) * PACK_RANGE + 0.5);
+    return integer + bounded(part, 0.0, 1.0) * PACK_FRACTION;
+}
+
+// The inverse, (whole, part) in [0,1] for whatever the channel holds, NaN and infinity among it.
+float2 unpackUnitPair(float packed) {
+    float known = bounded(packed, 0.0, PACK_RANGE + PACK_FRACTION);
+    float integer = floor(known);
+    float2 pair = float2(integer / PACK_RANGE, (known - integer) / PACK_FRACTION);
+    return min(pair, 1.0);
+}
+
+// The listing's order: occlusion in the integer part, shadow in the fraction.
+float packOcclusionInInteger(float occlusion, float shadow) {
+    return packUnitPair(occlusion, shadow);
+}
+
+// (occlusion, shadow)
+float2 unpackOcclusionInInteger(float packed) {
+    return unpackUnitPair(packed);
+}
+
+// The text's order: shadow in the integer part, occlusion, which "requires more variety", in the fraction.
+float packShadowInInteger(float occlusion, float shadow) {
+    return packUnitPair(shadow, occlusion);
+}
+
+// (occlusion, shadow)
+float2 unpackShadowInInteger(float packed) {
+    return unpackUnitPair(packed).yx;
+}
+
+// As printed: occlusion loses half a level on average, shadow 0 and 1 come back as 0.01 and 0.99. For data of
+// others.
+float PackOccShadow(float Occ, float Shadow) {
+    float integer = floor(bounded(Occ, 0.0, 1.0) * PACK_RANGE);
+    return integer + bounded(Shadow, MIN_FLT, 1.0 - MIN_FLT);
+}
+
+// (occlusion, shadow). Printed without the bound: NaN, infinity and more than 1 for what no packing wrote.
+float2 UnpackOccShadow(float OccShadow) {
+    float known = bounded(OccShadow, 0.0, PACK_RANGE + 1.0 - MIN_FLT);
+    float integer = floor(known);
+    return float2(min(integer / PACK_RANGE, 1.0), known - integer);
+}
+
+#endif

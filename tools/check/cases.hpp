@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table in groups: one file each, of one header or of a few that belong together.
+#pragma once
+
+#include "check.hpp"
+
+namespace check {
+
+std::vector<Case> bilateralUpsamplingCases();
+std::vector<Case> cacheCases(); // reprojection_cache, cache_resampling, finite
+std::vector<Case> colourCases();
+std::vector<Case> coordinateCases(); // conventions, coordinates
+std::vector<Case> depthCases();      // depth, closest_fragment
+std::vector<Case> feedbackCases();
+std::vector<Case> historyConstraintCases();
+std::vector<Case> missDetectionCases(); // miss_detection, refresh
+std::vector<Case> neighbourhoodCases();
+std::vector<Case> reprojectionCases();
+std::vector<Case> samplingCases(); // jitter, unjitter, motion_blur, resampling, quad_sharing
+
+} // namespace check
