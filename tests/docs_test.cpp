@@ -55,10 +55,11 @@ const reprisec::Pack& pack() {
 }
 
 std::string pageOf(const PassInfo& pass) {
-    return readText(pass.name == "temporal_aa" ? "docs/temporal_aa.md" : "docs/velocity.md");
+    if (pass.name == "temporal_aa") return readText("docs/temporal_aa.md");
+    return readText(pass.name.ends_with("_velocity") ? "docs/velocity.md" : "docs/ambient_occlusion.md");
 }
 
-// The section of a pass on a page that two share.
+// The section of a pass on a page that several share.
 std::string sectionOf(const PassInfo& pass) {
     const std::string page = pageOf(pass), heading = "\n## " + std::string(pass.name);
     const size_t begin = page.find(heading);

@@ -2,6 +2,7 @@
 // Every pass of the table has a check that executes it, in every stage that it has. A pass without one does
 // not compile; a check that compares nothing does not pass.
 #include "camera_case.hpp"
+#include "depth_downsample_case.hpp"
 #include "fullscreen_case.hpp"
 #include "object_case.hpp"
 #include "temporal_aa_case.hpp"
@@ -18,6 +19,13 @@ Comparison checkFullscreen(Stage) {
 Comparison checkCameraVelocity(Stage stage) {
     Pass pass(variantOf(pack(), "camera_velocity"), stage);
     const CameraCase frame = randomCameraCase({}, false, 33, 17, 51);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkDepthDownsample(Stage stage) {
+    const Variant variant = variantOf(pack(), "depth_downsample");
+    Pass pass(variant, stage);
+    const DepthDownsampleCase frame = randomDepthDownsampleCase(variant, 33, 17, 53);
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
@@ -44,6 +52,7 @@ constexpr PassCheck checks[] = {
     {"fullscreen", checkFullscreen},
     {"camera_velocity", checkCameraVelocity},
     {"object_velocity", checkObjectVelocity},
+    {"depth_downsample", checkDepthDownsample},
     {"temporal_aa", checkTemporalAa},
 };
 

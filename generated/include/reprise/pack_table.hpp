@@ -55,6 +55,26 @@ inline constexpr uint32_t gInPrevJoints = 3;
 inline constexpr uint32_t gOutVelocity = 16;
 }
 
+// depth_downsample: Linear depth at half or quarter resolution
+struct alignas(16) DepthDownsampleParameters {
+    float gInputSize[4];   // float4
+    float gOutputSize[4];   // float4
+    float gLinearDepth[2];   // float2
+    float gSkyDepth;
+    float pad0[1];
+};
+static_assert(sizeof(DepthDownsampleParameters) == 48);
+static_assert(offsetof(DepthDownsampleParameters, gInputSize) == 0);
+static_assert(offsetof(DepthDownsampleParameters, gOutputSize) == 16);
+static_assert(offsetof(DepthDownsampleParameters, gLinearDepth) == 32);
+static_assert(offsetof(DepthDownsampleParameters, gSkyDepth) == 40);
+namespace bindings::depth_downsample {
+inline constexpr uint32_t DepthDownsampleParameters = 0;
+inline constexpr uint32_t gInDepth = 1;
+inline constexpr uint32_t gOutCoarseDepth = 16;
+inline constexpr uint32_t gInDepth_sampler = 33;
+}
+
 // temporal_aa: Temporal reprojection anti-aliasing
 struct alignas(16) TemporalAaParameters {
     float gOutputSize[4];   // float4
@@ -168,6 +188,64 @@ inline constexpr PackModule object_velocity_modules[] = {
     {"object_velocity--skinning-on", Stage::vertex,
      "", "ES 3.00 has no storage buffers (gInJoints)"},
     {"object_velocity--skinning-on", Stage::fragment,
+     "", ""},
+};
+inline constexpr Stage depth_downsample_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view depth_downsample_RATIO_values[] = {"2", "4"};
+inline constexpr std::string_view depth_downsample_CHECKERBOARD_values[] = {"off", "on"};
+inline constexpr std::string_view depth_downsample_DEPTH_LINEAR_values[] = {"off", "on"};
+inline constexpr std::string_view depth_downsample_DEPTH_REVERSED_values[] = {"off", "on"};
+inline constexpr std::string_view depth_downsample_ORTHOGRAPHIC_values[] = {"off", "on"};
+inline constexpr SwitchInfo depth_downsample_switches[] = {
+    {"RATIO", depth_downsample_RATIO_values, 0, "",
+     "texels of the full image per coarse texel, along an axis", {}},
+    {"CHECKERBOARD", depth_downsample_CHECKERBOARD_values, 0, "both sides of an edge are wanted",
+     "every other texel shows the farthest instead of the closest", {}},
+    {"DEPTH_LINEAR", depth_downsample_DEPTH_LINEAR_values, 0, "the engine hands over linear view depth instead of device depth",
+     "gInDepth holds linear depth in metres", {}},
+    {"DEPTH_REVERSED", depth_downsample_DEPTH_REVERSED_values, 0, "device depth is reversed",
+     "closest is the largest device depth", {}},
+    {"ORTHOGRAPHIC", depth_downsample_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
+     "device depth is affine in linear depth", {}},
+};
+inline constexpr BindingInfo depth_downsample_bindings[] = {
+    {"DepthDownsampleParameters", 0, BindingKind::uniformBuffer},
+    {"gInDepth", 1, BindingKind::sampledImage},
+    {"gOutCoarseDepth", 16, BindingKind::storageImage},
+    {"gInDepth_sampler", 33, BindingKind::pointSampler},
+};
+inline constexpr ImageInfo depth_downsample_inputs[] = {
+    {"gInDepth", "device depth [0,1], or metres with DEPTH_LINEAR", "r32f", 1.000000f, "", {},
+     ""},
+};
+inline constexpr ImageInfo depth_downsample_outputs[] = {
+    {"gOutCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
+     ""},
+};
+inline constexpr PackModule depth_downsample_modules[] = {
+    {"depth_downsample", Stage::fragment,
+     "", ""},
+    {"depth_downsample", Stage::compute,
+     "", ""},
+    {"depth_downsample--ratio-4", Stage::fragment,
+     "", ""},
+    {"depth_downsample--ratio-4", Stage::compute,
+     "", ""},
+    {"depth_downsample--checkerboard-on", Stage::fragment,
+     "", ""},
+    {"depth_downsample--checkerboard-on", Stage::compute,
+     "", ""},
+    {"depth_downsample--depth_linear-on", Stage::fragment,
+     "", ""},
+    {"depth_downsample--depth_linear-on", Stage::compute,
+     "", ""},
+    {"depth_downsample--depth_reversed-on", Stage::fragment,
+     "", ""},
+    {"depth_downsample--depth_reversed-on", Stage::compute,
+     "", ""},
+    {"depth_downsample--orthographic-on", Stage::fragment,
+     "", ""},
+    {"depth_downsample--orthographic-on", Stage::compute,
      "", ""},
 };
 inline constexpr Stage temporal_aa_stages[] = {Stage::fragment, Stage::compute};
@@ -347,6 +425,10 @@ inline constexpr PassInfo passes[] = {
      "INSIDE, Reprojection of dynamic scenes", object_velocity_stages, false,
      {1, 1, 1}, {1, 1}, 144, object_velocity_switches,
      object_velocity_bindings, object_velocity_inputs, object_velocity_outputs},
+    {"depth_downsample", "Linear depth at half or quarter resolution",
+     "Drobot 7.3, Shadows and Ambient Occlusion Combined", depth_downsample_stages, true,
+     {16, 16, 1}, {1, 1}, 48, depth_downsample_switches,
+     depth_downsample_bindings, depth_downsample_inputs, depth_downsample_outputs},
     {"temporal_aa", "Temporal reprojection anti-aliasing",
      "INSIDE, I1 to I9", temporal_aa_stages, true,
      {32, 4, 1}, {1, 6}, 64, temporal_aa_switches,
@@ -367,6 +449,7 @@ inline std::span<const PackModule> packModules([[maybe_unused]] std::string_view
     if (pass == "fullscreen") return generated::fullscreen_modules;
     if (pass == "camera_velocity") return generated::camera_velocity_modules;
     if (pass == "object_velocity") return generated::object_velocity_modules;
+    if (pass == "depth_downsample") return generated::depth_downsample_modules;
     if (pass == "temporal_aa") return generated::temporal_aa_modules;
     return {};
 }
