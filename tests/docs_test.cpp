@@ -157,6 +157,32 @@ TEST(Docs, readsPerPixelAreThoseOfTheCompiledCode) {
         }
 }
 
+// The framework's passes have no presets: their sections say what the defaults read, and what each switch
+// changes.
+TEST(Docs, readsPerPixelOfTheFrameworkAreThoseOfTheCompiledCode) {
+    size_t sections = 0;
+    for (const PassInfo* pass : passesWithPages()) {
+        const std::string section = sectionOf(*pass);
+        if (!has(section, "Defaults: ")) continue;
+        ++sections;
+        const auto standard = reprise::makeVariant(pack().passes(), pass->name);
+        ASSERT_TRUE(standard);
+        const std::string usual = readsOf(*standard);
+        EXPECT_TRUE(has(section, "Defaults: " + usual + " reads.")) << pass->name << ": " << usual;
+        for (const auto& info : pass->switches)
+            for (const auto& value : info.values) {
+                reprise::Variant flipped = *standard;
+                ASSERT_TRUE(reprise::setSwitch(flipped, info.name, value));
+                const std::string reads = readsOf(flipped), said = std::string(value) + ": " + reads;
+                if (reads != usual) {
+                    EXPECT_TRUE(has(rowOf(section, info.name), said))
+                        << pass->name << " " << info.name << " " << said;
+                }
+            }
+    }
+    EXPECT_GE(sections, 3u);
+}
+
 TEST(Docs, linksLeadToFiles) {
     const std::regex link(R"(\]\(([^)#:]+)\))");
     size_t links = 0;

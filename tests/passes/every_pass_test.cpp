@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every pass of the table has a check that executes it, in every stage that it has. A pass without one does
 // not compile; a check that compares nothing does not pass.
+#include "ambient_occlusion_case.hpp"
 #include "camera_case.hpp"
 #include "depth_downsample_case.hpp"
 #include "fullscreen_case.hpp"
 #include "object_case.hpp"
+#include "reprojection_cache_case.hpp"
 #include "temporal_aa_case.hpp"
 
 #include <algorithm>
@@ -26,6 +28,20 @@ Comparison checkDepthDownsample(Stage stage) {
     const Variant variant = variantOf(pack(), "depth_downsample");
     Pass pass(variant, stage);
     const DepthDownsampleCase frame = randomDepthDownsampleCase(variant, 33, 17, 53);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkAmbientOcclusion(Stage stage) {
+    const Variant variant = variantOf(pack(), "ambient_occlusion");
+    Pass pass(variant, stage);
+    const AmbientOcclusionCase frame = ambientOcclusionCase(variant, Surfaces::corner, 33, 17, 54);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkReprojectionCache(Stage stage) {
+    const Variant variant = variantOf(pack(), "reprojection_cache");
+    Pass pass(variant, stage);
+    const ReprojectionCacheCase frame = reprojectionCacheCase(variant, 33, 17, 55);
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
@@ -53,6 +69,8 @@ constexpr PassCheck checks[] = {
     {"camera_velocity", checkCameraVelocity},
     {"object_velocity", checkObjectVelocity},
     {"depth_downsample", checkDepthDownsample},
+    {"ambient_occlusion", checkAmbientOcclusion},
+    {"reprojection_cache", checkReprojectionCache},
     {"temporal_aa", checkTemporalAa},
 };
 
