@@ -31,9 +31,11 @@ float storedDepth(const DepthDownsampleCase& frame, bool linear, double metres) 
     return static_cast<float>(linear ? metres : oracle::deviceDepth(metres, frame.viewToClip));
 }
 
+} // namespace
+
 // The share by which linear depth = 1 / (device x + y) or device x + y is off: both coefficients are rounded
 // to float32, and product, sum and division are, each by 2^-24.
-double boundOf(const DepthDownsampleCase& frame, double linear) {
+double linearDepthBound(const DepthDownsampleCase& frame, double linear) {
     if (linear >= oracle::skyDepth) return 0.0;
     const glm::dvec2 k = reprise::linearDepthCoefficients(frame.viewToClip);
     const double device = oracle::deviceDepth(linear, frame.viewToClip);
@@ -41,8 +43,6 @@ double boundOf(const DepthDownsampleCase& frame, double linear) {
     if (oracle::isOrthographic(frame.viewToClip)) return affine + linear * 0x1p-23;
     return linear * linear * affine + linear * 0x1p-22;
 }
-
-} // namespace
 
 DepthDownsampleCase randomDepthDownsampleCase(const Variant& variant, int width, int height, uint64_t seed,
                                               bool infinite) {
@@ -91,7 +91,7 @@ Comparison compareWithOracle(const DepthDownsampleCase& frame, const Pixels& coa
         coarseDepth,
         [&](int x, int y, bool) {
             const double linear = oracle::coarseDepth(frame.pass, depth, x, y);
-            return Expected{{linear, 0.0, 0.0}, {boundOf(frame, linear), 0.0, 0.0}};
+            return Expected{{linear, 0.0, 0.0}, {linearDepthBound(frame, linear), 0.0, 0.0}};
         },
         1);
 }

@@ -20,6 +20,8 @@ struct DepthDownsampleCase {
 // name. Of perspective cameras with reversed depth it is the infinite one if `infinite`.
 DepthDownsampleCase randomDepthDownsampleCase(const Variant& variant, int width, int height, uint64_t seed,
                                               bool infinite = false);
+// By how much float32 may misplace a linear depth that is made from device depth, in metres.
+double linearDepthBound(const DepthDownsampleCase& frame, double linear);
 std::vector<Pixels> run(Pass& pass, const DepthDownsampleCase& frame);
 Comparison compareWithOracle(const DepthDownsampleCase& frame, const Pixels& coarseDepth);
 

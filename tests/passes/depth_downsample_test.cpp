@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // depth_downsample executed and held to the oracle.
 //
-// Bound: float32 roundings of the conversion to metres (boundOf in depth_downsample_case.cpp). Which texel is
+// Bound: float32 roundings of the conversion to metres (linearDepthBound in depth_downsample_case.cpp). Which texel is
 // chosen has none: device depth is monotonic in linear depth, so both see the same order.
 #include "depth_downsample_case.hpp"
 

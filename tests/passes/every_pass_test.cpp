@@ -2,6 +2,7 @@
 // Every pass of the table has a check that executes it, in every stage that it has. A pass without one does
 // not compile; a check that compares nothing does not pass.
 #include "ambient_occlusion_case.hpp"
+#include "bilateral_upsample_case.hpp"
 #include "camera_case.hpp"
 #include "depth_downsample_case.hpp"
 #include "fullscreen_case.hpp"
@@ -45,6 +46,20 @@ Comparison checkReprojectionCache(Stage stage) {
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
+Comparison checkBilateralFilter(Stage stage) {
+    const Variant variant = variantOf(pack(), "bilateral_filter");
+    Pass pass(variant, stage);
+    const BilateralFilterCase frame = bilateralFilterCase(variant, 33, 17, {1, 0}, 56);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkBilateralUpsample(Stage stage) {
+    const Variant variant = variantOf(pack(), "bilateral_upsample");
+    Pass pass(variant, stage);
+    const BilateralUpsampleCase frame = bilateralUpsampleCase(variant, 33, 17, 57);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
 // Its two stages are executed together.
 Comparison checkObjectVelocity(Stage) {
     const ObjectCase object;
@@ -71,6 +86,8 @@ constexpr PassCheck checks[] = {
     {"depth_downsample", checkDepthDownsample},
     {"ambient_occlusion", checkAmbientOcclusion},
     {"reprojection_cache", checkReprojectionCache},
+    {"bilateral_filter", checkBilateralFilter},
+    {"bilateral_upsample", checkBilateralUpsample},
     {"temporal_aa", checkTemporalAa},
 };
 

@@ -142,6 +142,59 @@ inline constexpr uint32_t gHistoryCache_sampler = 35;
 inline constexpr uint32_t gHistoryCacheFiltered_sampler = 36;
 }
 
+// bilateral_filter: One direction of the bilateral filter, stronger where history is short
+struct alignas(16) BilateralFilterParameters {
+    float gOutputSize[4];   // float4
+    float gDirection[2];   // float2
+    float gDepthAmplitude[2];   // float2
+    float gConverged;
+    float gMaxSmoothing;
+    float pad0[2];
+};
+static_assert(sizeof(BilateralFilterParameters) == 48);
+static_assert(offsetof(BilateralFilterParameters, gOutputSize) == 0);
+static_assert(offsetof(BilateralFilterParameters, gDirection) == 16);
+static_assert(offsetof(BilateralFilterParameters, gDepthAmplitude) == 24);
+static_assert(offsetof(BilateralFilterParameters, gConverged) == 32);
+static_assert(offsetof(BilateralFilterParameters, gMaxSmoothing) == 36);
+namespace bindings::bilateral_filter {
+inline constexpr uint32_t BilateralFilterParameters = 0;
+inline constexpr uint32_t gInCache = 1;
+inline constexpr uint32_t gInCacheFiltered = 2;
+inline constexpr uint32_t gOutFiltered = 16;
+inline constexpr uint32_t gInCache_sampler = 33;
+inline constexpr uint32_t gInCacheFiltered_sampler = 34;
+}
+
+// bilateral_upsample: A coarse value at full resolution, along the edges of the depth
+struct alignas(16) BilateralUpsampleParameters {
+    float gOutputSize[4];   // float4
+    float gCoarseSize[4];   // float4
+    float gLinearDepth[2];   // float2
+    float gSkyDepth;
+    float gContrast;
+};
+static_assert(sizeof(BilateralUpsampleParameters) == 48);
+static_assert(offsetof(BilateralUpsampleParameters, gOutputSize) == 0);
+static_assert(offsetof(BilateralUpsampleParameters, gCoarseSize) == 16);
+static_assert(offsetof(BilateralUpsampleParameters, gLinearDepth) == 32);
+static_assert(offsetof(BilateralUpsampleParameters, gSkyDepth) == 40);
+static_assert(offsetof(BilateralUpsampleParameters, gContrast) == 44);
+namespace bindings::bilateral_upsample {
+inline constexpr uint32_t BilateralUpsampleParameters = 0;
+inline constexpr uint32_t gInFiltered = 1;
+inline constexpr uint32_t gInCoarseDepth = 2;
+inline constexpr uint32_t gInDepth = 3;
+inline constexpr uint32_t gInNormal = 4;
+inline constexpr uint32_t gInCoarseNormal = 5;
+inline constexpr uint32_t gOutUpsampled = 16;
+inline constexpr uint32_t gInFiltered_sampler = 33;
+inline constexpr uint32_t gInCoarseDepth_sampler = 34;
+inline constexpr uint32_t gInDepth_sampler = 35;
+inline constexpr uint32_t gInNormal_sampler = 36;
+inline constexpr uint32_t gInCoarseNormal_sampler = 37;
+}
+
 // temporal_aa: Temporal reprojection anti-aliasing
 struct alignas(16) TemporalAaParameters {
     float gOutputSize[4];   // float4
@@ -452,6 +505,131 @@ inline constexpr PackModule reprojection_cache_modules[] = {
     {"reprojection_cache--orthographic-on", Stage::compute,
      "", ""},
 };
+inline constexpr Stage bilateral_filter_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view bilateral_filter_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view bilateral_filter_TAPS_values[] = {"linear", "point"};
+inline constexpr SwitchInfo bilateral_filter_switches[] = {
+    {"VALUES", bilateral_filter_VALUES_values, 0, "occlusion and shadow share a channel",
+     "one value, or occlusion and shadow packed in one, in either order", {}},
+    {"TAPS", bilateral_filter_TAPS_values, 0, "",
+     "five reads between texels, or nine of texels, which leak less at edges; packed values point", {}},
+};
+inline constexpr BindingInfo bilateral_filter_bindings[] = {
+    {"BilateralFilterParameters", 0, BindingKind::uniformBuffer},
+    {"gInCache", 1, BindingKind::sampledImage},
+    {"gInCacheFiltered", 2, BindingKind::sampledImage},
+    {"gOutFiltered", 16, BindingKind::storageImage},
+    {"gInCache_sampler", 33, BindingKind::pointSampler},
+    {"gInCacheFiltered_sampler", 34, BindingKind::linearSampler},
+};
+inline constexpr ImageInfo bilateral_filter_inputs[] = {
+    {"gInCache", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "", {},
+     ""},
+    {"gInCacheFiltered", "value; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "", {},
+     "gInCache"},
+};
+inline constexpr ImageInfo bilateral_filter_outputs[] = {
+    {"gOutFiltered", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "", {},
+     ""},
+};
+inline constexpr PackModule bilateral_filter_modules[] = {
+    {"bilateral_filter", Stage::fragment,
+     "", ""},
+    {"bilateral_filter", Stage::compute,
+     "", ""},
+    {"bilateral_filter--values-occlusion_in_integer", Stage::fragment,
+     "", ""},
+    {"bilateral_filter--values-occlusion_in_integer", Stage::compute,
+     "", ""},
+    {"bilateral_filter--values-shadow_in_integer", Stage::fragment,
+     "", ""},
+    {"bilateral_filter--values-shadow_in_integer", Stage::compute,
+     "", ""},
+    {"bilateral_filter--taps-point", Stage::fragment,
+     "", ""},
+    {"bilateral_filter--taps-point", Stage::compute,
+     "", ""},
+};
+inline constexpr Stage bilateral_upsample_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view bilateral_upsample_RATIO_values[] = {"2", "4"};
+inline constexpr std::string_view bilateral_upsample_NORMAL_WEIGHTS_values[] = {"off", "on"};
+inline constexpr std::string_view bilateral_upsample_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view bilateral_upsample_DEPTH_LINEAR_values[] = {"off", "on"};
+inline constexpr std::string_view bilateral_upsample_ORTHOGRAPHIC_values[] = {"off", "on"};
+inline constexpr SwitchInfo bilateral_upsample_switches[] = {
+    {"RATIO", bilateral_upsample_RATIO_values, 0, "",
+     "texels of the full image per coarse texel, along an axis", {}},
+    {"NORMAL_WEIGHTS", bilateral_upsample_NORMAL_WEIGHTS_values, 0, "normals are at hand at both resolutions",
+     "samples are weighed by the likeness of their normals too", {}},
+    {"VALUES", bilateral_upsample_VALUES_values, 0, "occlusion and shadow share a channel",
+     "one value, or occlusion and shadow packed in one, in either order", {}},
+    {"DEPTH_LINEAR", bilateral_upsample_DEPTH_LINEAR_values, 0, "the engine hands over linear view depth instead of device depth",
+     "gInDepth holds linear depth in metres", {}},
+    {"ORTHOGRAPHIC", bilateral_upsample_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
+     "device depth is affine in linear depth", {}},
+};
+inline constexpr BindingInfo bilateral_upsample_bindings[] = {
+    {"BilateralUpsampleParameters", 0, BindingKind::uniformBuffer},
+    {"gInFiltered", 1, BindingKind::sampledImage},
+    {"gInCoarseDepth", 2, BindingKind::sampledImage},
+    {"gInDepth", 3, BindingKind::sampledImage},
+    {"gInNormal", 4, BindingKind::sampledImage},
+    {"gInCoarseNormal", 5, BindingKind::sampledImage},
+    {"gOutUpsampled", 16, BindingKind::storageImage},
+    {"gInFiltered_sampler", 33, BindingKind::pointSampler},
+    {"gInCoarseDepth_sampler", 34, BindingKind::pointSampler},
+    {"gInDepth_sampler", 35, BindingKind::pointSampler},
+    {"gInNormal_sampler", 36, BindingKind::pointSampler},
+    {"gInCoarseNormal_sampler", 37, BindingKind::pointSampler},
+};
+inline constexpr Condition bilateral_upsample_gInNormal_when[] = {{"NORMAL_WEIGHTS", "on"}};
+inline constexpr Condition bilateral_upsample_gInCoarseNormal_when[] = {{"NORMAL_WEIGHTS", "on"}};
+inline constexpr ImageInfo bilateral_upsample_inputs[] = {
+    {"gInFiltered", "value, or packed pair, in the first", "rgba16f", 0.500000f, "", {},
+     ""},
+    {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
+     ""},
+    {"gInDepth", "device depth [0,1], or metres with DEPTH_LINEAR", "r32f", 1.000000f, "", {},
+     ""},
+    {"gInNormal", "view space, unit", "rgba16f", 1.000000f, "", bilateral_upsample_gInNormal_when,
+     ""},
+    {"gInCoarseNormal", "view space, unit", "rgba16f", 0.500000f, "", bilateral_upsample_gInCoarseNormal_when,
+     ""},
+};
+inline constexpr ImageInfo bilateral_upsample_outputs[] = {
+    {"gOutUpsampled", "value and 0, or occlusion and shadow", "rg16f", 1.000000f, "", {},
+     ""},
+};
+inline constexpr PackModule bilateral_upsample_modules[] = {
+    {"bilateral_upsample", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--ratio-4", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--ratio-4", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--normal_weights-on", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--normal_weights-on", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--values-occlusion_in_integer", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--values-occlusion_in_integer", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--values-shadow_in_integer", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--values-shadow_in_integer", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--depth_linear-on", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--depth_linear-on", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--orthographic-on", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--orthographic-on", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+};
 inline constexpr Stage temporal_aa_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view temporal_aa_MOTION_values[] = {"off", "on"};
 inline constexpr std::string_view temporal_aa_CLOSEST_FRAGMENT_values[] = {"off", "on"};
@@ -641,6 +819,14 @@ inline constexpr PassInfo passes[] = {
      "Drobot 7.2, Reprojection Caching, Listing 7.2", reprojection_cache_stages, true,
      {16, 16, 1}, {1, 1}, 160, reprojection_cache_switches,
      reprojection_cache_bindings, reprojection_cache_inputs, reprojection_cache_outputs},
+    {"bilateral_filter", "One direction of the bilateral filter, stronger where history is short",
+     "Drobot 7.2, Bilateral Filtering, Listing 7.3", bilateral_filter_stages, true,
+     {16, 16, 1}, {1, 1}, 48, bilateral_filter_switches,
+     bilateral_filter_bindings, bilateral_filter_inputs, bilateral_filter_outputs},
+    {"bilateral_upsample", "A coarse value at full resolution, along the edges of the depth",
+     "Drobot 7.2, Bilateral Upsampling, Listing 7.1", bilateral_upsample_stages, true,
+     {16, 16, 1}, {1, 1}, 48, bilateral_upsample_switches,
+     bilateral_upsample_bindings, bilateral_upsample_inputs, bilateral_upsample_outputs},
     {"temporal_aa", "Temporal reprojection anti-aliasing",
      "INSIDE, I1 to I9", temporal_aa_stages, true,
      {32, 4, 1}, {1, 6}, 64, temporal_aa_switches,
@@ -664,6 +850,8 @@ inline std::span<const PackModule> packModules([[maybe_unused]] std::string_view
     if (pass == "depth_downsample") return generated::depth_downsample_modules;
     if (pass == "ambient_occlusion") return generated::ambient_occlusion_modules;
     if (pass == "reprojection_cache") return generated::reprojection_cache_modules;
+    if (pass == "bilateral_filter") return generated::bilateral_filter_modules;
+    if (pass == "bilateral_upsample") return generated::bilateral_upsample_modules;
     if (pass == "temporal_aa") return generated::temporal_aa_modules;
     return {};
 }
