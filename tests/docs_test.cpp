@@ -55,10 +55,11 @@ const reprisec::Pack& pack() {
 }
 
 std::string pageOf(const PassInfo& pass) {
-    return readText(pass.name == "temporal_aa" ? "docs/temporal_aa.md" : "docs/velocity.md");
+    if (pass.name == "temporal_aa") return readText("docs/temporal_aa.md");
+    return readText(pass.name.ends_with("_velocity") ? "docs/velocity.md" : "docs/ambient_occlusion.md");
 }
 
-// The section of a pass on a page that two share.
+// The section of a pass on a page that several share.
 std::string sectionOf(const PassInfo& pass) {
     const std::string page = pageOf(pass), heading = "\n## " + std::string(pass.name);
     const size_t begin = page.find(heading);
@@ -154,6 +155,32 @@ TEST(Docs, readsPerPixelAreThoseOfTheCompiledCode) {
                 EXPECT_TRUE(has(rowOf(page, info.name), said)) << info.name << " " << said;
             }
         }
+}
+
+// The framework's passes have no presets: their sections say what the defaults read, and what each switch
+// changes.
+TEST(Docs, readsPerPixelOfTheFrameworkAreThoseOfTheCompiledCode) {
+    size_t sections = 0;
+    for (const PassInfo* pass : passesWithPages()) {
+        const std::string section = sectionOf(*pass);
+        if (!has(section, "Defaults: ")) continue;
+        ++sections;
+        const auto standard = reprise::makeVariant(pack().passes(), pass->name);
+        ASSERT_TRUE(standard);
+        const std::string usual = readsOf(*standard);
+        EXPECT_TRUE(has(section, "Defaults: " + usual + " reads.")) << pass->name << ": " << usual;
+        for (const auto& info : pass->switches)
+            for (const auto& value : info.values) {
+                reprise::Variant flipped = *standard;
+                ASSERT_TRUE(reprise::setSwitch(flipped, info.name, value));
+                const std::string reads = readsOf(flipped), said = std::string(value) + ": " + reads;
+                if (reads != usual) {
+                    EXPECT_TRUE(has(rowOf(section, info.name), said))
+                        << pass->name << " " << info.name << " " << said;
+                }
+            }
+    }
+    EXPECT_GE(sections, 3u);
 }
 
 TEST(Docs, linksLeadToFiles) {

@@ -3,6 +3,10 @@
 #ifndef REPRISE_DEPTH_HLSLI
 #define REPRISE_DEPTH_HLSLI
 
+// Linear depth in metres that stands for no surface: the largest binary16, so that every format of a history
+// holds it.
+static const float SKY_DEPTH = 65504.0;
+
 // Device depth in [0,1] to linear depth in metres. coefficients come from reprise::linearDepthCoefficients:
 // perspective, any depth kind:  linear = 1 / (device · x + y);  orthographic: linear = device · x + y.
 // The far plane of an infinite projection gives infinity in exact arithmetic; here it gives 1e30.

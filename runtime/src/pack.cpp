@@ -3,6 +3,7 @@
 #include "reprise/pack.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cctype>
 #include <cstring>
 #include <filesystem>
@@ -93,6 +94,13 @@ bool exists(const Variant& variant, const ImageInfo& image) {
     return std::ranges::all_of(image.when, [&](const Condition& condition) {
         return switchValue(variant, condition.switchName) == condition.value;
     });
+}
+
+double scaleOf(const Variant& variant, const ImageInfo& image) {
+    const std::string_view ratio = switchValue(variant, "RATIO");
+    int divisor = 0;
+    std::from_chars(ratio.data(), ratio.data() + ratio.size(), divisor);
+    return image.scale < 1.0f && divisor > 0 ? 1.0 / divisor : static_cast<double>(image.scale);
 }
 
 std::string variantName(const Variant& variant) {

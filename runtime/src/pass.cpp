@@ -83,9 +83,10 @@ Result<void> buildCompute(PassAccess::State& state, const SpirvModule& module) {
     return {};
 }
 
-// Extents may round either way when the scale is not 1.
-bool fits(uint32_t texels, uint32_t reference, double scale) {
-    return std::abs(static_cast<double>(texels) - static_cast<double>(reference) * scale) < 1.0;
+// Extents may round either way: within a texel of the coarser of the two images.
+bool fits(uint32_t texels, double scale, uint32_t reference, double referenceScale) {
+    const double difference = std::abs(texels / scale - reference / referenceScale);
+    return difference * std::min(scale, referenceScale) < 1.0;
 }
 
 Error extentsDiffer(std::string_view pass, std::string_view image, VkExtent2D extent, VkExtent2D output) {
@@ -96,14 +97,14 @@ Error extentsDiffer(std::string_view pass, std::string_view image, VkExtent2D ex
 }
 
 Result<void> checkExtents(const Variant& variant, std::span<const ImageInfo> infos, const NamedImage& output,
-                          float outputScale, std::span<const NamedImage> images) {
+                          double outputScale, std::span<const NamedImage> images) {
     const VkExtent2D extent = output.image.extent;
     for (const ImageInfo* info : existing(variant, infos)) {
         const ImageRef* image = findImage(images, info->name);
         if (image == nullptr) continue; // a buffer, or not used by the module
-        const double scale = static_cast<double>(info->scale) / static_cast<double>(outputScale);
-        if (!fits(image->extent.width, extent.width, scale) ||
-            !fits(image->extent.height, extent.height, scale))
+        const double scale = scaleOf(variant, *info);
+        if (!fits(image->extent.width, scale, extent.width, outputScale) ||
+            !fits(image->extent.height, scale, extent.height, outputScale))
             return extentsDiffer(variant.pass->name, info->name, image->extent, extent);
     }
     return {};
@@ -138,7 +139,7 @@ Result<PreparedPass> prepareTargets(const Variant& variant, Stage stage, std::sp
         return Error{ErrorCode::invalidArgument, "The pass " + std::string(pass.name) + " has no output."};
     const NamedImage first{outputs.front()->name, *findImage(images, outputs.front()->name)};
     for (const auto infos : {pass.inputs, pass.outputs})
-        if (auto checked = checkExtents(variant, infos, first, outputs.front()->scale, images); !checked)
+        if (auto checked = checkExtents(variant, infos, first, scaleOf(variant, *outputs.front()), images); !checked)
             return checked.error();
     return prepared;
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every pass of the table has a check that executes it, in every stage that it has. A pass without one does
 // not compile; a check that compares nothing does not pass.
+#include "ambient_occlusion_case.hpp"
+#include "bilateral_upsample_case.hpp"
 #include "camera_case.hpp"
+#include "depth_downsample_case.hpp"
 #include "fullscreen_case.hpp"
 #include "object_case.hpp"
+#include "reprojection_cache_case.hpp"
 #include "temporal_aa_case.hpp"
 
 #include <algorithm>
@@ -18,6 +22,41 @@ Comparison checkFullscreen(Stage) {
 Comparison checkCameraVelocity(Stage stage) {
     Pass pass(variantOf(pack(), "camera_velocity"), stage);
     const CameraCase frame = randomCameraCase({}, false, 33, 17, 51);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkDepthDownsample(Stage stage) {
+    const Variant variant = variantOf(pack(), "depth_downsample");
+    Pass pass(variant, stage);
+    const DepthDownsampleCase frame = randomDepthDownsampleCase(variant, 33, 17, 53);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkAmbientOcclusion(Stage stage) {
+    const Variant variant = variantOf(pack(), "ambient_occlusion");
+    Pass pass(variant, stage);
+    const AmbientOcclusionCase frame = ambientOcclusionCase(variant, Surfaces::corner, 33, 17, 54);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkReprojectionCache(Stage stage) {
+    const Variant variant = variantOf(pack(), "reprojection_cache");
+    Pass pass(variant, stage);
+    const ReprojectionCacheCase frame = reprojectionCacheCase(variant, 33, 17, 55);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkBilateralFilter(Stage stage) {
+    const Variant variant = variantOf(pack(), "bilateral_filter");
+    Pass pass(variant, stage);
+    const BilateralFilterCase frame = bilateralFilterCase(variant, 33, 17, {1, 0}, 56);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkBilateralUpsample(Stage stage) {
+    const Variant variant = variantOf(pack(), "bilateral_upsample");
+    Pass pass(variant, stage);
+    const BilateralUpsampleCase frame = bilateralUpsampleCase(variant, 33, 17, 57);
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
@@ -44,6 +83,11 @@ constexpr PassCheck checks[] = {
     {"fullscreen", checkFullscreen},
     {"camera_velocity", checkCameraVelocity},
     {"object_velocity", checkObjectVelocity},
+    {"depth_downsample", checkDepthDownsample},
+    {"ambient_occlusion", checkAmbientOcclusion},
+    {"reprojection_cache", checkReprojectionCache},
+    {"bilateral_filter", checkBilateralFilter},
+    {"bilateral_upsample", checkBilateralUpsample},
     {"temporal_aa", checkTemporalAa},
 };
 

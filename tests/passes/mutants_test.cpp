@@ -2,9 +2,12 @@
 // Deliberately wrong forms of the passes, each of which the comparison with the oracle or the poison must
 // catch. A mutant is a copy of hlsl/ with one text replaced; if the text is no longer there, the mutant has
 // to follow.
+#include "ambient_occlusion_case.hpp"
+#include "bilateral_upsample_case.hpp"
 #include "camera_case.hpp"
 #include "changed_pack.hpp"
 #include "object_case.hpp"
+#include "reprojection_cache_case.hpp"
 #include "temporal_aa_case.hpp"
 
 #include <limits>
@@ -369,6 +372,174 @@ TEST_P(ObjectVelocityMutant, isCaught) {
     object.skinned = !mutant.switches.empty();
     EXPECT_TRUE(compareWithOracle(object, recordedMotion(object)).holds());
     EXPECT_FALSE(compareWithOracle(object, recordedMotion(object, mutated.pack())).holds());
+}
+
+// --- The framework's passes
+
+struct FrameworkMutant {
+    std::string_view pass;
+    Mutant mutant;
+};
+
+void PrintTo(const FrameworkMutant& mutant, std::ostream* stream) {
+    *stream << mutant.mutant.name;
+}
+
+const std::vector<FrameworkMutant>& frameworkMutants() {
+    constexpr std::string_view down = "passes/depth_downsample.hlsl",
+                               occlusion = "passes/ambient_occlusion.hlsl",
+                               cache = "passes/reprojection_cache.hlsl",
+                               filter = "passes/bilateral_filter.hlsl", up = "passes/bilateral_upsample.hlsl";
+    static const std::vector<FrameworkMutant> mutants = {
+        {"depth_downsample",
+         {"reversedDepthTakesTheFarthest",
+          down,
+          "return max(a, b);",
+          "return min(a, b);",
+          fragment,
+          {{"DEPTH_REVERSED", "on"}}}},
+        {"depth_downsample",
+         {"quarterReadsOneCornerTwice",
+          down,
+          "centrePx + float2(1.0, -1.0)",
+          "centrePx + 1.0",
+          compute,
+          {{"RATIO", "4"}}}},
+        {"depth_downsample",
+         {"checkerStartsWithTheFarthest", down, "> 0.25;", "< 0.25;", fragment, {{"CHECKERBOARD", "on"}}}},
+        {"depth_downsample",
+         {"skyKeepsItsDepth", down, "depth < min(gSkyDepth, SKY_DEPTH)", "depth < SKY_DEPTH", compute, {}}},
+        {"ambient_occlusion",
+         {"tangentsOfAnotherNormal",
+          occlusion,
+          "float b = normal.x * normal.y * a;",
+          "float b = 0.0;",
+          fragment,
+          {}}},
+        {"ambient_occlusion",
+         {"normalFacesAway", occlusion, "< 0.0 ? normal : -normal", "> 0.0 ? normal : -normal", compute, {}}},
+        {"ambient_occlusion",
+         {"fartherSideOfAnEdge",
+          occlusion,
+          "differenceBefore < differenceAfter",
+          "differenceBefore >= differenceAfter",
+          fragment,
+          {}}},
+        {"ambient_occlusion",
+         {"patternStandsStill", occlusion, "float3 shift = subset *", "float3 shift = 0.0 *", fragment, {}}},
+        {"ambient_occlusion",
+         {"samplesBeyondTheImageCount",
+          occlusion,
+          "samplePositionVS.z > 0.0 && isInsideUv(uv)",
+          "true",
+          compute,
+          {}}},
+        {"ambient_occlusion",
+         {"farBlockersCount", occlusion, "* saturate(2.0 - inFront / gRadius)", "", fragment, {}}},
+        {"reprojection_cache",
+         {"convergenceNotCounted",
+          cache,
+          "nextConvergence(history.convergence, confidence)",
+          "history.convergence",
+          fragment,
+          {}}},
+        {"reprojection_cache",
+         {"depthNotCompared",
+          cache,
+          "cacheHistoryWeight(place, history.depth,",
+          "cacheHistoryWeight(place, place.lastDepth,",
+          compute,
+          {}}},
+        {"reprojection_cache",
+         {"motionAdded",
+          "reprise/reprojection_cache.hlsli",
+          "float2 prevUv = uv - motion;",
+          "float2 prevUv = uv + motion;",
+          fragment,
+          {{"MOTION", "on"}}}},
+        {"reprojection_cache",
+         {"coarseUvTakenForTheFrames", cache, "place.prevUv *= gFrameToCoarse;", "", fragment, {}}},
+        {"reprojection_cache",
+         {"packedPairSwapped",
+          cache,
+          "return unpackShadowInInteger(value);",
+          "return unpackShadowInInteger(value).yx;",
+          compute,
+          {{"VALUES", "shadow_in_integer"}}}},
+        {"reprojection_cache",
+         {"packedValuesFiltered",
+          cache,
+          "SAMPLE(gHistoryCache, low)",
+          "SAMPLE(gHistoryCache, uv)",
+          fragment,
+          {{"VALUES", "occlusion_in_integer"}}}},
+        {"bilateral_filter",
+         {"convergenceHasNoSay",
+          filter,
+          "smoothingOfConvergence(centre.b,",
+          "smoothingOfConvergence(8.0,",
+          fragment,
+          {}}},
+        {"bilateral_filter",
+         {"directionIgnored",
+          filter,
+          "gDirection * gOutputSize.zw",
+          "gOutputSize.zw",
+          compute,
+          {{"TAPS", "point"}}}},
+        {"bilateral_filter",
+         {"pairNotUnpacked",
+          filter,
+          "return unpackOcclusionInInteger(value);",
+          "return float2(value, 0.0);",
+          fragment,
+          {{"VALUES", "occlusion_in_integer"}}}},
+        {"bilateral_upsample", {"gatherOrder", up, ".wzxy", ".xyzw", fragment, {}}},
+        {"bilateral_upsample",
+         {"cornerOffByOne", up, "COARSE_TEXEL_PX - 0.5) + 1.0", "COARSE_TEXEL_PX - 0.5)", compute, {}}},
+        {"bilateral_upsample",
+         {"normalsOfTheFirstTexelAlone",
+          up,
+          "SAMPLE(gInCoarseNormal, footprint.rightUp)",
+          "SAMPLE(gInCoarseNormal, footprint.leftUp)",
+          fragment,
+          {{"NORMAL_WEIGHTS", "on"}}}},
+    };
+    return mutants;
+}
+
+// At an odd size, in the second frame of a cycle: the comparison that each pass's own test makes.
+bool frameworkCatches(const Variant& right, Pass& pass) {
+    constexpr int width = 39, height = 27;
+    const std::string_view name = right.pass->name;
+    const auto fails = [&](const auto& frame) {
+        return !compareWithOracle(frame, run(pass, frame)[0]).holds();
+    };
+    if (name == "depth_downsample") return fails(randomDepthDownsampleCase(right, width, height, 34));
+    if (name == "ambient_occlusion")
+        return fails(ambientOcclusionCase(right, Surfaces::corner, width, height, 34));
+    if (name == "reprojection_cache") return fails(reprojectionCacheCase(right, width, height, 34));
+    if (name == "bilateral_filter") return fails(bilateralFilterCase(right, width, height, {1, 0}, 34));
+    return fails(bilateralUpsampleCase(right, width, height, 34));
+}
+
+class FrameworkMutants : public PassTest, public testing::WithParamInterface<FrameworkMutant> {};
+INSTANTIATE_TEST_SUITE_P(Mutants, FrameworkMutants, testing::ValuesIn(frameworkMutants()),
+                         [](const auto& each) { return std::string(each.param.mutant.name); });
+
+TEST_P(FrameworkMutants, areCaught) {
+    const Mutant& mutant = GetParam().mutant;
+    const MutantPack mutated(mutant);
+    ASSERT_TRUE(mutated.pack) << mutant.file << " no longer holds: " << mutant.original;
+    const Variant right = variantOf(pack(), GetParam().pass, mutant.switches);
+    const VkFormat format = right.pass->outputs[0].format == "rgba16f" ? rgba32f
+                            : right.pass->outputs[0].format == "rg16f" ? rg32f
+                                                                       : r32f;
+    Pass unchanged(right, mutant.stage, {format});
+    EXPECT_FALSE(frameworkCatches(right, unchanged)) << "the comparison fails without the mistake too";
+    Pass wrong(variantOf(*mutated.pack, GetParam().pass, mutant.switches), mutant.stage, {format},
+               *mutated.pack);
+    EXPECT_TRUE(frameworkCatches(right, wrong));
 }
 
 } // namespace

@@ -41,10 +41,16 @@ fs::path findModel(const std::string& name) {
     return {};
 }
 
+// The report has images of the frame's own extent: no data for a pass with a coarse one.
+bool hasData(const reprise::PassInfo& pass) {
+    const auto isWhole = [](const reprise::ImageInfo& image) { return image.scale == 1.0f; };
+    return std::ranges::all_of(pass.inputs, isWhole) && std::ranges::all_of(pass.outputs, isWhole);
+}
+
 std::vector<std::string> techniqueNames(const reprisec::Pack& pack) {
     std::vector<std::string> names;
     for (const auto& pass : pack.passes())
-        if (pass.name != "fullscreen") names.emplace_back(pass.name);
+        if (pass.name != "fullscreen" && hasData(pass)) names.emplace_back(pass.name);
     return names;
 }
 

@@ -55,6 +55,146 @@ inline constexpr uint32_t gInPrevJoints = 3;
 inline constexpr uint32_t gOutVelocity = 16;
 }
 
+// depth_downsample: Linear depth at half or quarter resolution
+struct alignas(16) DepthDownsampleParameters {
+    float gInputSize[4];   // float4
+    float gOutputSize[4];   // float4
+    float gLinearDepth[2];   // float2
+    float gSkyDepth;
+    float pad0[1];
+};
+static_assert(sizeof(DepthDownsampleParameters) == 48);
+static_assert(offsetof(DepthDownsampleParameters, gInputSize) == 0);
+static_assert(offsetof(DepthDownsampleParameters, gOutputSize) == 16);
+static_assert(offsetof(DepthDownsampleParameters, gLinearDepth) == 32);
+static_assert(offsetof(DepthDownsampleParameters, gSkyDepth) == 40);
+namespace bindings::depth_downsample {
+inline constexpr uint32_t DepthDownsampleParameters = 0;
+inline constexpr uint32_t gInDepth = 1;
+inline constexpr uint32_t gOutCoarseDepth = 16;
+inline constexpr uint32_t gInDepth_sampler = 33;
+}
+
+// ambient_occlusion: Ambient occlusion of the screen with few samples a frame
+struct alignas(16) AmbientOcclusionParameters {
+    float gOutputSize[4];   // float4
+    float gViewRay[4];   // float4
+    float gRadius;
+    float gFrameIndex;
+    float gSubsetCount;
+    float pad0[1];
+    float gBias[2];   // float2
+    float pad1[2];
+};
+static_assert(sizeof(AmbientOcclusionParameters) == 64);
+static_assert(offsetof(AmbientOcclusionParameters, gOutputSize) == 0);
+static_assert(offsetof(AmbientOcclusionParameters, gViewRay) == 16);
+static_assert(offsetof(AmbientOcclusionParameters, gRadius) == 32);
+static_assert(offsetof(AmbientOcclusionParameters, gFrameIndex) == 36);
+static_assert(offsetof(AmbientOcclusionParameters, gSubsetCount) == 40);
+static_assert(offsetof(AmbientOcclusionParameters, gBias) == 48);
+namespace bindings::ambient_occlusion {
+inline constexpr uint32_t AmbientOcclusionParameters = 0;
+inline constexpr uint32_t gInCoarseDepth = 1;
+inline constexpr uint32_t gInCoarseNormal = 2;
+inline constexpr uint32_t gOutOcclusion = 16;
+inline constexpr uint32_t gInCoarseDepth_sampler = 33;
+inline constexpr uint32_t gInCoarseNormal_sampler = 34;
+}
+
+// reprojection_cache: A fresh value accumulated into its reprojected history
+struct alignas(16) ReprojectionCacheParameters {
+    float gViewToPreviousClip[16];   // float4x4
+    float gOutputSize[4];   // float4
+    float gViewRay[4];   // float4
+    float gFrameToCoarse[2];   // float2
+    float gMotionToUv[2];   // float2
+    float gClipToDepth[2];   // float2
+    float gMissThreshold[2];   // float2
+    float gConvergenceTime;
+    float gMaxWeight;
+    float gSpeedPx[2];   // float2
+    float gHistoryValid;
+    float pad0[3];
+};
+static_assert(sizeof(ReprojectionCacheParameters) == 160);
+static_assert(offsetof(ReprojectionCacheParameters, gViewToPreviousClip) == 0);
+static_assert(offsetof(ReprojectionCacheParameters, gOutputSize) == 64);
+static_assert(offsetof(ReprojectionCacheParameters, gViewRay) == 80);
+static_assert(offsetof(ReprojectionCacheParameters, gFrameToCoarse) == 96);
+static_assert(offsetof(ReprojectionCacheParameters, gMotionToUv) == 104);
+static_assert(offsetof(ReprojectionCacheParameters, gClipToDepth) == 112);
+static_assert(offsetof(ReprojectionCacheParameters, gMissThreshold) == 120);
+static_assert(offsetof(ReprojectionCacheParameters, gConvergenceTime) == 128);
+static_assert(offsetof(ReprojectionCacheParameters, gMaxWeight) == 132);
+static_assert(offsetof(ReprojectionCacheParameters, gSpeedPx) == 136);
+static_assert(offsetof(ReprojectionCacheParameters, gHistoryValid) == 144);
+namespace bindings::reprojection_cache {
+inline constexpr uint32_t ReprojectionCacheParameters = 0;
+inline constexpr uint32_t gInFresh = 1;
+inline constexpr uint32_t gInVelocity = 2;
+inline constexpr uint32_t gHistoryCache = 3;
+inline constexpr uint32_t gHistoryCacheFiltered = 4;
+inline constexpr uint32_t gOutCache = 16;
+inline constexpr uint32_t gInFresh_sampler = 33;
+inline constexpr uint32_t gInVelocity_sampler = 34;
+inline constexpr uint32_t gHistoryCache_sampler = 35;
+inline constexpr uint32_t gHistoryCacheFiltered_sampler = 36;
+}
+
+// bilateral_filter: One direction of the bilateral filter, stronger where history is short
+struct alignas(16) BilateralFilterParameters {
+    float gOutputSize[4];   // float4
+    float gDirection[2];   // float2
+    float gDepthAmplitude[2];   // float2
+    float gConverged;
+    float gMaxSmoothing;
+    float pad0[2];
+};
+static_assert(sizeof(BilateralFilterParameters) == 48);
+static_assert(offsetof(BilateralFilterParameters, gOutputSize) == 0);
+static_assert(offsetof(BilateralFilterParameters, gDirection) == 16);
+static_assert(offsetof(BilateralFilterParameters, gDepthAmplitude) == 24);
+static_assert(offsetof(BilateralFilterParameters, gConverged) == 32);
+static_assert(offsetof(BilateralFilterParameters, gMaxSmoothing) == 36);
+namespace bindings::bilateral_filter {
+inline constexpr uint32_t BilateralFilterParameters = 0;
+inline constexpr uint32_t gInCache = 1;
+inline constexpr uint32_t gInCacheFiltered = 2;
+inline constexpr uint32_t gOutFiltered = 16;
+inline constexpr uint32_t gInCache_sampler = 33;
+inline constexpr uint32_t gInCacheFiltered_sampler = 34;
+}
+
+// bilateral_upsample: A coarse value at full resolution, along the edges of the depth
+struct alignas(16) BilateralUpsampleParameters {
+    float gOutputSize[4];   // float4
+    float gCoarseSize[4];   // float4
+    float gLinearDepth[2];   // float2
+    float gSkyDepth;
+    float gContrast;
+};
+static_assert(sizeof(BilateralUpsampleParameters) == 48);
+static_assert(offsetof(BilateralUpsampleParameters, gOutputSize) == 0);
+static_assert(offsetof(BilateralUpsampleParameters, gCoarseSize) == 16);
+static_assert(offsetof(BilateralUpsampleParameters, gLinearDepth) == 32);
+static_assert(offsetof(BilateralUpsampleParameters, gSkyDepth) == 40);
+static_assert(offsetof(BilateralUpsampleParameters, gContrast) == 44);
+namespace bindings::bilateral_upsample {
+inline constexpr uint32_t BilateralUpsampleParameters = 0;
+inline constexpr uint32_t gInFiltered = 1;
+inline constexpr uint32_t gInCoarseDepth = 2;
+inline constexpr uint32_t gInDepth = 3;
+inline constexpr uint32_t gInNormal = 4;
+inline constexpr uint32_t gInCoarseNormal = 5;
+inline constexpr uint32_t gOutUpsampled = 16;
+inline constexpr uint32_t gInFiltered_sampler = 33;
+inline constexpr uint32_t gInCoarseDepth_sampler = 34;
+inline constexpr uint32_t gInDepth_sampler = 35;
+inline constexpr uint32_t gInNormal_sampler = 36;
+inline constexpr uint32_t gInCoarseNormal_sampler = 37;
+}
+
 // temporal_aa: Temporal reprojection anti-aliasing
 struct alignas(16) TemporalAaParameters {
     float gOutputSize[4];   // float4
@@ -169,6 +309,326 @@ inline constexpr PackModule object_velocity_modules[] = {
      "", "ES 3.00 has no storage buffers (gInJoints)"},
     {"object_velocity--skinning-on", Stage::fragment,
      "", ""},
+};
+inline constexpr Stage depth_downsample_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view depth_downsample_RATIO_values[] = {"2", "4"};
+inline constexpr std::string_view depth_downsample_CHECKERBOARD_values[] = {"off", "on"};
+inline constexpr std::string_view depth_downsample_DEPTH_LINEAR_values[] = {"off", "on"};
+inline constexpr std::string_view depth_downsample_DEPTH_REVERSED_values[] = {"off", "on"};
+inline constexpr std::string_view depth_downsample_ORTHOGRAPHIC_values[] = {"off", "on"};
+inline constexpr SwitchInfo depth_downsample_switches[] = {
+    {"RATIO", depth_downsample_RATIO_values, 0, "",
+     "texels of the full image per coarse texel, along an axis", {}},
+    {"CHECKERBOARD", depth_downsample_CHECKERBOARD_values, 0, "both sides of an edge are wanted",
+     "every other texel shows the farthest instead of the closest", {}},
+    {"DEPTH_LINEAR", depth_downsample_DEPTH_LINEAR_values, 0, "the engine hands over linear view depth instead of device depth",
+     "gInDepth holds linear depth in metres", {}},
+    {"DEPTH_REVERSED", depth_downsample_DEPTH_REVERSED_values, 0, "device depth is reversed",
+     "closest is the largest device depth", {}},
+    {"ORTHOGRAPHIC", depth_downsample_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
+     "device depth is affine in linear depth", {}},
+};
+inline constexpr BindingInfo depth_downsample_bindings[] = {
+    {"DepthDownsampleParameters", 0, BindingKind::uniformBuffer},
+    {"gInDepth", 1, BindingKind::sampledImage},
+    {"gOutCoarseDepth", 16, BindingKind::storageImage},
+    {"gInDepth_sampler", 33, BindingKind::pointSampler},
+};
+inline constexpr ImageInfo depth_downsample_inputs[] = {
+    {"gInDepth", "device depth [0,1], or metres with DEPTH_LINEAR", "r32f", 1.000000f, "", {},
+     ""},
+};
+inline constexpr ImageInfo depth_downsample_outputs[] = {
+    {"gOutCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
+     ""},
+};
+inline constexpr PackModule depth_downsample_modules[] = {
+    {"depth_downsample", Stage::fragment,
+     "", ""},
+    {"depth_downsample", Stage::compute,
+     "", ""},
+    {"depth_downsample--ratio-4", Stage::fragment,
+     "", ""},
+    {"depth_downsample--ratio-4", Stage::compute,
+     "", ""},
+    {"depth_downsample--checkerboard-on", Stage::fragment,
+     "", ""},
+    {"depth_downsample--checkerboard-on", Stage::compute,
+     "", ""},
+    {"depth_downsample--depth_linear-on", Stage::fragment,
+     "", ""},
+    {"depth_downsample--depth_linear-on", Stage::compute,
+     "", ""},
+    {"depth_downsample--depth_reversed-on", Stage::fragment,
+     "", ""},
+    {"depth_downsample--depth_reversed-on", Stage::compute,
+     "", ""},
+    {"depth_downsample--orthographic-on", Stage::fragment,
+     "", ""},
+    {"depth_downsample--orthographic-on", Stage::compute,
+     "", ""},
+};
+inline constexpr Stage ambient_occlusion_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view ambient_occlusion_SAMPLES_values[] = {"1", "2", "4", "8", "12", "16", "32"};
+inline constexpr std::string_view ambient_occlusion_NORMALS_values[] = {"reconstructed", "read"};
+inline constexpr std::string_view ambient_occlusion_ORTHOGRAPHIC_values[] = {"off", "on"};
+inline constexpr SwitchInfo ambient_occlusion_switches[] = {
+    {"SAMPLES", ambient_occlusion_SAMPLES_values, 2, "",
+     "occlusion checks a pixel and frame, one read each", {}},
+    {"NORMALS", ambient_occlusion_NORMALS_values, 0, "coarse normals are at hand",
+     "normals from depth, or from gInCoarseNormal", {}},
+    {"ORTHOGRAPHIC", ambient_occlusion_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
+     "rays are parallel", {}},
+};
+inline constexpr BindingInfo ambient_occlusion_bindings[] = {
+    {"AmbientOcclusionParameters", 0, BindingKind::uniformBuffer},
+    {"gInCoarseDepth", 1, BindingKind::sampledImage},
+    {"gInCoarseNormal", 2, BindingKind::sampledImage},
+    {"gOutOcclusion", 16, BindingKind::storageImage},
+    {"gInCoarseDepth_sampler", 33, BindingKind::pointSampler},
+    {"gInCoarseNormal_sampler", 34, BindingKind::pointSampler},
+};
+inline constexpr Condition ambient_occlusion_gInCoarseNormal_when[] = {{"NORMALS", "read"}};
+inline constexpr ImageInfo ambient_occlusion_inputs[] = {
+    {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
+     ""},
+    {"gInCoarseNormal", "view space, towards the camera", "rgba16f", 0.500000f, "", ambient_occlusion_gInCoarseNormal_when,
+     ""},
+};
+inline constexpr ImageInfo ambient_occlusion_outputs[] = {
+    {"gOutOcclusion", "visibility [0,1]; linear depth, metres", "rg16f", 0.500000f, "", {},
+     ""},
+};
+inline constexpr PackModule ambient_occlusion_modules[] = {
+    {"ambient_occlusion", Stage::fragment,
+     "", ""},
+    {"ambient_occlusion", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+    {"ambient_occlusion--samples-1", Stage::fragment,
+     "", ""},
+    {"ambient_occlusion--samples-1", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+    {"ambient_occlusion--samples-2", Stage::fragment,
+     "", ""},
+    {"ambient_occlusion--samples-2", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+    {"ambient_occlusion--samples-8", Stage::fragment,
+     "", ""},
+    {"ambient_occlusion--samples-8", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+    {"ambient_occlusion--samples-12", Stage::fragment,
+     "", ""},
+    {"ambient_occlusion--samples-12", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+    {"ambient_occlusion--samples-16", Stage::fragment,
+     "", ""},
+    {"ambient_occlusion--samples-16", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+    {"ambient_occlusion--samples-32", Stage::fragment,
+     "", ""},
+    {"ambient_occlusion--samples-32", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+    {"ambient_occlusion--normals-read", Stage::fragment,
+     "", ""},
+    {"ambient_occlusion--normals-read", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+    {"ambient_occlusion--orthographic-on", Stage::fragment,
+     "", ""},
+    {"ambient_occlusion--orthographic-on", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+};
+inline constexpr Stage reprojection_cache_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view reprojection_cache_MOTION_values[] = {"off", "on"};
+inline constexpr std::string_view reprojection_cache_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view reprojection_cache_RESAMPLING_values[] = {"nearest", "bilinear"};
+inline constexpr std::string_view reprojection_cache_ORTHOGRAPHIC_values[] = {"off", "on"};
+inline constexpr SwitchInfo reprojection_cache_switches[] = {
+    {"MOTION", reprojection_cache_MOTION_values, 0, "objects move, and motion vectors are at hand",
+     "history is fetched along gInVelocity; off: by camera reprojection", {}},
+    {"VALUES", reprojection_cache_VALUES_values, 0, "occlusion and shadow share a channel",
+     "one value, or occlusion and shadow packed in one, in either order", {}},
+    {"RESAMPLING", reprojection_cache_RESAMPLING_values, 1, "",
+     "how history is read between texels; packed values bilinear in four point reads", {}},
+    {"ORTHOGRAPHIC", reprojection_cache_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
+     "rays are parallel", {}},
+};
+inline constexpr BindingInfo reprojection_cache_bindings[] = {
+    {"ReprojectionCacheParameters", 0, BindingKind::uniformBuffer},
+    {"gInFresh", 1, BindingKind::sampledImage},
+    {"gInVelocity", 2, BindingKind::sampledImage},
+    {"gHistoryCache", 3, BindingKind::sampledImage},
+    {"gHistoryCacheFiltered", 4, BindingKind::sampledImage},
+    {"gOutCache", 16, BindingKind::storageImage},
+    {"gInFresh_sampler", 33, BindingKind::pointSampler},
+    {"gInVelocity_sampler", 34, BindingKind::pointSampler},
+    {"gHistoryCache_sampler", 35, BindingKind::pointSampler},
+    {"gHistoryCacheFiltered_sampler", 36, BindingKind::linearSampler},
+};
+inline constexpr Condition reprojection_cache_gInVelocity_when[] = {{"MOTION", "on"}};
+inline constexpr ImageInfo reprojection_cache_inputs[] = {
+    {"gInFresh", "value, or packed pair; linear depth, metres", "rg16f", 0.500000f, "", {},
+     ""},
+    {"gInVelocity", "motion, scaled by gMotionToUv", "rg16f", 1.000000f, "", reprojection_cache_gInVelocity_when,
+     ""},
+    {"gHistoryCache", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "gOutCache", {},
+     ""},
+    {"gHistoryCacheFiltered", "value; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "gOutCache", {},
+     "gHistoryCache"},
+};
+inline constexpr ImageInfo reprojection_cache_outputs[] = {
+    {"gOutCache", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "", {},
+     ""},
+};
+inline constexpr PackModule reprojection_cache_modules[] = {
+    {"reprojection_cache", Stage::fragment,
+     "", ""},
+    {"reprojection_cache", Stage::compute,
+     "", ""},
+    {"reprojection_cache--motion-on", Stage::fragment,
+     "", ""},
+    {"reprojection_cache--motion-on", Stage::compute,
+     "", ""},
+    {"reprojection_cache--values-occlusion_in_integer", Stage::fragment,
+     "", ""},
+    {"reprojection_cache--values-occlusion_in_integer", Stage::compute,
+     "", ""},
+    {"reprojection_cache--values-shadow_in_integer", Stage::fragment,
+     "", ""},
+    {"reprojection_cache--values-shadow_in_integer", Stage::compute,
+     "", ""},
+    {"reprojection_cache--resampling-nearest", Stage::fragment,
+     "", ""},
+    {"reprojection_cache--resampling-nearest", Stage::compute,
+     "", ""},
+    {"reprojection_cache--orthographic-on", Stage::fragment,
+     "", ""},
+    {"reprojection_cache--orthographic-on", Stage::compute,
+     "", ""},
+};
+inline constexpr Stage bilateral_filter_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view bilateral_filter_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view bilateral_filter_TAPS_values[] = {"linear", "point"};
+inline constexpr SwitchInfo bilateral_filter_switches[] = {
+    {"VALUES", bilateral_filter_VALUES_values, 0, "occlusion and shadow share a channel",
+     "one value, or occlusion and shadow packed in one, in either order", {}},
+    {"TAPS", bilateral_filter_TAPS_values, 0, "",
+     "five reads between texels, or nine of texels, which leak less at edges; packed values point", {}},
+};
+inline constexpr BindingInfo bilateral_filter_bindings[] = {
+    {"BilateralFilterParameters", 0, BindingKind::uniformBuffer},
+    {"gInCache", 1, BindingKind::sampledImage},
+    {"gInCacheFiltered", 2, BindingKind::sampledImage},
+    {"gOutFiltered", 16, BindingKind::storageImage},
+    {"gInCache_sampler", 33, BindingKind::pointSampler},
+    {"gInCacheFiltered_sampler", 34, BindingKind::linearSampler},
+};
+inline constexpr ImageInfo bilateral_filter_inputs[] = {
+    {"gInCache", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "", {},
+     ""},
+    {"gInCacheFiltered", "value; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "", {},
+     "gInCache"},
+};
+inline constexpr ImageInfo bilateral_filter_outputs[] = {
+    {"gOutFiltered", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "", {},
+     ""},
+};
+inline constexpr PackModule bilateral_filter_modules[] = {
+    {"bilateral_filter", Stage::fragment,
+     "", ""},
+    {"bilateral_filter", Stage::compute,
+     "", ""},
+    {"bilateral_filter--values-occlusion_in_integer", Stage::fragment,
+     "", ""},
+    {"bilateral_filter--values-occlusion_in_integer", Stage::compute,
+     "", ""},
+    {"bilateral_filter--values-shadow_in_integer", Stage::fragment,
+     "", ""},
+    {"bilateral_filter--values-shadow_in_integer", Stage::compute,
+     "", ""},
+    {"bilateral_filter--taps-point", Stage::fragment,
+     "", ""},
+    {"bilateral_filter--taps-point", Stage::compute,
+     "", ""},
+};
+inline constexpr Stage bilateral_upsample_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view bilateral_upsample_RATIO_values[] = {"2", "4"};
+inline constexpr std::string_view bilateral_upsample_NORMAL_WEIGHTS_values[] = {"off", "on"};
+inline constexpr std::string_view bilateral_upsample_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view bilateral_upsample_DEPTH_LINEAR_values[] = {"off", "on"};
+inline constexpr std::string_view bilateral_upsample_ORTHOGRAPHIC_values[] = {"off", "on"};
+inline constexpr SwitchInfo bilateral_upsample_switches[] = {
+    {"RATIO", bilateral_upsample_RATIO_values, 0, "",
+     "texels of the full image per coarse texel, along an axis", {}},
+    {"NORMAL_WEIGHTS", bilateral_upsample_NORMAL_WEIGHTS_values, 0, "normals are at hand at both resolutions",
+     "samples are weighed by the likeness of their normals too", {}},
+    {"VALUES", bilateral_upsample_VALUES_values, 0, "occlusion and shadow share a channel",
+     "one value, or occlusion and shadow packed in one, in either order", {}},
+    {"DEPTH_LINEAR", bilateral_upsample_DEPTH_LINEAR_values, 0, "the engine hands over linear view depth instead of device depth",
+     "gInDepth holds linear depth in metres", {}},
+    {"ORTHOGRAPHIC", bilateral_upsample_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
+     "device depth is affine in linear depth", {}},
+};
+inline constexpr BindingInfo bilateral_upsample_bindings[] = {
+    {"BilateralUpsampleParameters", 0, BindingKind::uniformBuffer},
+    {"gInFiltered", 1, BindingKind::sampledImage},
+    {"gInCoarseDepth", 2, BindingKind::sampledImage},
+    {"gInDepth", 3, BindingKind::sampledImage},
+    {"gInNormal", 4, BindingKind::sampledImage},
+    {"gInCoarseNormal", 5, BindingKind::sampledImage},
+    {"gOutUpsampled", 16, BindingKind::storageImage},
+    {"gInFiltered_sampler", 33, BindingKind::pointSampler},
+    {"gInCoarseDepth_sampler", 34, BindingKind::pointSampler},
+    {"gInDepth_sampler", 35, BindingKind::pointSampler},
+    {"gInNormal_sampler", 36, BindingKind::pointSampler},
+    {"gInCoarseNormal_sampler", 37, BindingKind::pointSampler},
+};
+inline constexpr Condition bilateral_upsample_gInNormal_when[] = {{"NORMAL_WEIGHTS", "on"}};
+inline constexpr Condition bilateral_upsample_gInCoarseNormal_when[] = {{"NORMAL_WEIGHTS", "on"}};
+inline constexpr ImageInfo bilateral_upsample_inputs[] = {
+    {"gInFiltered", "value, or packed pair, in the first", "rgba16f", 0.500000f, "", {},
+     ""},
+    {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
+     ""},
+    {"gInDepth", "device depth [0,1], or metres with DEPTH_LINEAR", "r32f", 1.000000f, "", {},
+     ""},
+    {"gInNormal", "view space, unit", "rgba16f", 1.000000f, "", bilateral_upsample_gInNormal_when,
+     ""},
+    {"gInCoarseNormal", "view space, unit", "rgba16f", 0.500000f, "", bilateral_upsample_gInCoarseNormal_when,
+     ""},
+};
+inline constexpr ImageInfo bilateral_upsample_outputs[] = {
+    {"gOutUpsampled", "value and 0, or occlusion and shadow", "rg16f", 1.000000f, "", {},
+     ""},
+};
+inline constexpr PackModule bilateral_upsample_modules[] = {
+    {"bilateral_upsample", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--ratio-4", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--ratio-4", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--normal_weights-on", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--normal_weights-on", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--values-occlusion_in_integer", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--values-occlusion_in_integer", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--values-shadow_in_integer", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--values-shadow_in_integer", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--depth_linear-on", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--depth_linear-on", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--orthographic-on", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--orthographic-on", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
 };
 inline constexpr Stage temporal_aa_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view temporal_aa_MOTION_values[] = {"off", "on"};
@@ -347,6 +807,26 @@ inline constexpr PassInfo passes[] = {
      "INSIDE, Reprojection of dynamic scenes", object_velocity_stages, false,
      {1, 1, 1}, {1, 1}, 144, object_velocity_switches,
      object_velocity_bindings, object_velocity_inputs, object_velocity_outputs},
+    {"depth_downsample", "Linear depth at half or quarter resolution",
+     "Drobot 7.3, Shadows and Ambient Occlusion Combined", depth_downsample_stages, true,
+     {16, 16, 1}, {1, 1}, 48, depth_downsample_switches,
+     depth_downsample_bindings, depth_downsample_inputs, depth_downsample_outputs},
+    {"ambient_occlusion", "Ambient occlusion of the screen with few samples a frame",
+     "Drobot 7.3, Screen-Space Ambient Occlusion", ambient_occlusion_stages, true,
+     {16, 16, 1}, {1, 1}, 64, ambient_occlusion_switches,
+     ambient_occlusion_bindings, ambient_occlusion_inputs, ambient_occlusion_outputs},
+    {"reprojection_cache", "A fresh value accumulated into its reprojected history",
+     "Drobot 7.2, Reprojection Caching, Listing 7.2", reprojection_cache_stages, true,
+     {16, 16, 1}, {1, 1}, 160, reprojection_cache_switches,
+     reprojection_cache_bindings, reprojection_cache_inputs, reprojection_cache_outputs},
+    {"bilateral_filter", "One direction of the bilateral filter, stronger where history is short",
+     "Drobot 7.2, Bilateral Filtering, Listing 7.3", bilateral_filter_stages, true,
+     {16, 16, 1}, {1, 1}, 48, bilateral_filter_switches,
+     bilateral_filter_bindings, bilateral_filter_inputs, bilateral_filter_outputs},
+    {"bilateral_upsample", "A coarse value at full resolution, along the edges of the depth",
+     "Drobot 7.2, Bilateral Upsampling, Listing 7.1", bilateral_upsample_stages, true,
+     {16, 16, 1}, {1, 1}, 48, bilateral_upsample_switches,
+     bilateral_upsample_bindings, bilateral_upsample_inputs, bilateral_upsample_outputs},
     {"temporal_aa", "Temporal reprojection anti-aliasing",
      "INSIDE, I1 to I9", temporal_aa_stages, true,
      {32, 4, 1}, {1, 6}, 64, temporal_aa_switches,
@@ -367,6 +847,11 @@ inline std::span<const PackModule> packModules([[maybe_unused]] std::string_view
     if (pass == "fullscreen") return generated::fullscreen_modules;
     if (pass == "camera_velocity") return generated::camera_velocity_modules;
     if (pass == "object_velocity") return generated::object_velocity_modules;
+    if (pass == "depth_downsample") return generated::depth_downsample_modules;
+    if (pass == "ambient_occlusion") return generated::ambient_occlusion_modules;
+    if (pass == "reprojection_cache") return generated::reprojection_cache_modules;
+    if (pass == "bilateral_filter") return generated::bilateral_filter_modules;
+    if (pass == "bilateral_upsample") return generated::bilateral_upsample_modules;
     if (pass == "temporal_aa") return generated::temporal_aa_modules;
     return {};
 }

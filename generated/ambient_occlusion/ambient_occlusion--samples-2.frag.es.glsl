@@ -1,0 +1,126 @@
+#version 300 es
+precision highp float;
+precision highp int;
+
+layout(std140) uniform AmbientOcclusionParameters
+{
+    vec4 gOutputSize;
+    vec4 gViewRay;
+    float gRadius;
+    float gFrameIndex;
+    float gSubsetCount;
+    vec2 gBias;
+} parameters;
+
+uniform highp sampler2D gInCoarseDepth;
+
+layout(location = 0) out vec4 gOutOcclusion;
+
+void main()
+{
+    vec2 _72 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _76 = textureLod(gInCoarseDepth, _72, 0.0);
+    float _77 = _76.x;
+    float _79 = (_77 > 0.0) ? _77 : 65504.0;
+    float _81 = (_79 < 65504.0) ? _79 : 65504.0;
+    vec2 _84 = vec2(parameters.gOutputSize.z, 0.0);
+    vec2 _86 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-_84);
+    vec4 _88 = textureLod(gInCoarseDepth, _86, 0.0);
+    float _89 = _88.x;
+    float _91 = (_89 > 0.0) ? _89 : 65504.0;
+    float _93 = (_91 < 65504.0) ? _91 : 65504.0;
+    vec2 _96 = vec2(0.0, parameters.gOutputSize.w);
+    vec2 _98 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-_96);
+    vec4 _100 = textureLod(gInCoarseDepth, _98, 0.0);
+    float _101 = _100.x;
+    float _103 = (_101 > 0.0) ? _101 : 65504.0;
+    float _105 = (_103 < 65504.0) ? _103 : 65504.0;
+    vec2 _106 = gl_FragCoord.xy * parameters.gOutputSize.zw + _84;
+    vec4 _108 = textureLod(gInCoarseDepth, _106, 0.0);
+    float _109 = _108.x;
+    float _111 = (_109 > 0.0) ? _109 : 65504.0;
+    float _113 = (_111 < 65504.0) ? _111 : 65504.0;
+    vec2 _114 = gl_FragCoord.xy * parameters.gOutputSize.zw + _96;
+    vec4 _116 = textureLod(gInCoarseDepth, _114, 0.0);
+    float _117 = _116.x;
+    float _119 = (_117 > 0.0) ? _117 : 65504.0;
+    float _121 = (_119 < 65504.0) ? _119 : 65504.0;
+    vec3 _130 = vec3((_72 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _81, _81);
+    vec3 _151 = _130 - vec3((_86 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _93, _93);
+    vec3 _157 = vec3((_106 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _113, _113) - _130;
+    bvec3 _158 = bvec3((all(lessThanEqual(abs(_86 - vec2(0.5)), vec2(0.5))) ? abs(_93 - _81) : 131008.0) < (all(lessThanEqual(abs(_106 - vec2(0.5)), vec2(0.5))) ? abs(_113 - _81) : 65504.0));
+    vec3 _180 = _130 - vec3((_98 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _105, _105);
+    vec3 _186 = vec3((_114 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _121, _121) - _130;
+    bvec3 _187 = bvec3((all(lessThanEqual(abs(_98 - vec2(0.5)), vec2(0.5))) ? abs(_105 - _81) : 131008.0) < (all(lessThanEqual(abs(_114 - vec2(0.5)), vec2(0.5))) ? abs(_121 - _81) : 65504.0));
+    vec3 _189 = cross(vec3(_158.x ? _151.x : _157.x, _158.y ? _151.y : _157.y, _158.z ? _151.z : _157.z), vec3(_187.x ? _180.x : _186.x, _187.y ? _180.y : _186.y, _187.z ? _180.z : _186.z));
+    vec3 _196 = -_189;
+    bvec3 _197 = bvec3((parameters.gViewRay.x * parameters.gViewRay.y) < 0.0);
+    vec3 _199 = normalize(vec3(_197.x ? _189.x : _196.x, _197.y ? _189.y : _196.y, _197.z ? _189.z : _196.z));
+    vec2 _200 = floor(gl_FragCoord.xy);
+    float _205 = floor(parameters.gSubsetCount);
+    float _208 = (_205 > 1.0) ? min(_205, 16.0) : 1.0;
+    float _212 = floor((parameters.gFrameIndex > 0.0) ? min(parameters.gFrameIndex, 1048576.0) : 0.0);
+    vec3 _218 = vec3(0.6383450031280517578125, 0.342087209224700927734375, 0.09940095245838165283203125) * ((-_208) * floor((_212 + 0.5) / _208) + _212);
+    vec2 _221 = floor(_200 * 0.5);
+    vec2 _223 = _200 - (_221 * 2.0);
+    vec2 _227 = _221 - (floor(_200 * 0.25) * 2.0);
+    float _229 = _223.y;
+    float _232 = _227.y;
+    vec2 _238 = (abs(vec2(_223.x - _229, _227.x - _232)) * 2.0) + vec2(_229, _232);
+    float _243 = 6.283185482025146484375 * ((4.0 * _238.x + _238.y) * 0.0625 + _218.x);
+    float _244 = cos(_243);
+    float _245 = sin(_243);
+    vec2 _250 = vec2(_200.y + 1.0, _200.x);
+    vec2 _252 = floor(_250 * 0.5);
+    vec2 _254 = _250 - (_252 * 2.0);
+    vec2 _258 = _252 - (floor(_250 * 0.25) * 2.0);
+    float _260 = _254.y;
+    float _263 = _258.y;
+    vec2 _269 = (abs(vec2(_254.x - _260, _258.x - _263)) * 2.0) + vec2(_260, _263);
+    float _273 = (4.0 * _269.x + _269.y) * 0.0625 + _218.z;
+    float _279 = max(parameters.gBias.y * _81 + parameters.gBias.x, 9.9999999747524270787835121154785e-07);
+    float _280 = _199.z;
+    float _282 = (_280 >= 0.0) ? 1.0 : (-1.0);
+    float _284 = (-1.0) / (_282 + _280);
+    float _285 = _199.x;
+    float _286 = _199.y;
+    float _288 = (_285 * _286) * _284;
+    vec3 _295 = vec3(((_282 * _285) * _285) * _284 + 1.0, _282 * _288, (-_282) * _285);
+    vec3 _299 = vec3(_288, (_286 * _286) * _284 + _282, -_286);
+    vec3 _300 = fract(vec3(0.5));
+    float _302 = 6.283185482025146484375 * _300.x;
+    float _303 = cos(_302);
+    float _304 = sin(_302);
+    float _312 = _218.y;
+    float _314 = fract(_300.y + _312);
+    vec2 _316 = vec2(_303 * _244 + (-(_304 * _245)), _303 * _245 + (_304 * _244)) * sqrt(_314);
+    vec3 _334 = _130 + ((((_295 * _316.x) + (_299 * _316.y)) + (_199 * sqrt(1.0 - _314))) * (parameters.gRadius * sqrt(fract(_300.z + _273))));
+    float _336 = _334.z;
+    vec2 _340 = ((_334.xy / vec2(_336)) - parameters.gViewRay.zw) / parameters.gViewRay.xy;
+    vec4 _348 = textureLod(gInCoarseDepth, _340, 0.0);
+    float _349 = _348.x;
+    float _351 = (_349 > 0.0) ? _349 : 65504.0;
+    float _354 = _336 - ((_351 < 65504.0) ? _351 : 65504.0);
+    vec2 _362 = vec2(clamp((_354 / _279) - 1.0, 0.0, 1.0) * clamp(2.0 - (_354 / parameters.gRadius), 0.0, 1.0), 1.0);
+    bvec2 _363 = bvec2((_336 > 0.0) && all(lessThanEqual(abs(_340 - vec2(0.5)), vec2(0.5))));
+    vec3 _365 = fract(vec3(1.31917250156402587890625, 1.1710436344146728515625, 1.0497004985809326171875));
+    float _367 = 6.283185482025146484375 * _365.x;
+    float _368 = cos(_367);
+    float _369 = sin(_367);
+    float _378 = fract(_365.y + _312);
+    vec2 _380 = vec2(_368 * _244 + (-(_369 * _245)), _368 * _245 + (_369 * _244)) * sqrt(_378);
+    vec3 _396 = _130 + ((((_295 * _380.x) + (_299 * _380.y)) + (_199 * sqrt(1.0 - _378))) * (parameters.gRadius * sqrt(fract(_365.z + _273))));
+    float _398 = _396.z;
+    vec2 _402 = ((_396.xy / vec2(_398)) - parameters.gViewRay.zw) / parameters.gViewRay.xy;
+    vec4 _410 = textureLod(gInCoarseDepth, _402, 0.0);
+    float _411 = _410.x;
+    float _413 = (_411 > 0.0) ? _411 : 65504.0;
+    float _416 = _398 - ((_413 < 65504.0) ? _413 : 65504.0);
+    vec2 _424 = vec2(clamp((_416 / _279) - 1.0, 0.0, 1.0) * clamp(2.0 - (_416 / parameters.gRadius), 0.0, 1.0), 1.0);
+    bvec2 _425 = bvec2((_398 > 0.0) && all(lessThanEqual(abs(_402 - vec2(0.5)), vec2(0.5))));
+    vec2 _427 = vec2(_363.x ? _362.x : vec2(0.0).x, _363.y ? _362.y : vec2(0.0).y) + vec2(_425.x ? _424.x : vec2(0.0).x, _425.y ? _424.y : vec2(0.0).y);
+    vec2 _434 = vec2(1.0 - (_427.x / max(_427.y, 1.0)), _81);
+    bvec2 _435 = bvec2(_81 < 65504.0);
+    gOutOcclusion = vec4(vec2(_435.x ? _434.x : vec2(1.0, 65504.0).x, _435.y ? _434.y : vec2(1.0, 65504.0).y), 0.0, 0.0);
+}
+

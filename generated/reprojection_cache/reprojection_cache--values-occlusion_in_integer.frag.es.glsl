@@ -1,0 +1,120 @@
+#version 300 es
+precision highp float;
+precision highp int;
+
+layout(std140) uniform ReprojectionCacheParameters
+{
+    mat4 gViewToPreviousClip;
+    vec4 gOutputSize;
+    vec4 gViewRay;
+    vec2 gFrameToCoarse;
+    vec2 gMotionToUv;
+    vec2 gClipToDepth;
+    vec2 gMissThreshold;
+    float gConvergenceTime;
+    float gMaxWeight;
+    vec2 gSpeedPx;
+    float gHistoryValid;
+} parameters;
+
+uniform highp sampler2D gInFresh;
+uniform highp sampler2D gHistoryCache;
+
+layout(location = 0) out vec4 gOutCache;
+
+void main()
+{
+    vec2 _82 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _86 = textureLod(gInFresh, _82, 0.0);
+    float _87 = _86.y;
+    float _91 = ((_87 > 0.0) && (_87 < 65504.0)) ? _87 : 65504.0;
+    float _92 = _86.x;
+    float _97 = (_92 > 0.0) ? min(_92, 31.984375) : 0.0;
+    float _98 = floor(_97);
+    vec2 _103 = min(vec2(_98 * 0.0322580635547637939453125, (_97 - _98) * 1.01587307453155517578125), vec2(1.0));
+    bvec2 _104 = bvec2(abs(_92) <= 65504.0);
+    vec2 _105 = vec2(_104.x ? _103.x : vec2(0.0).x, _104.y ? _103.y : vec2(0.0).y);
+    vec4 _117 = parameters.gViewToPreviousClip * vec4((_82 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _91, _91, 1.0);
+    float _120 = _117.w;
+    vec2 _125 = (_117.xy * (1.0 / _120)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _130 = bvec2((_120 > 0.0) && all(lessThanEqual(abs(_125), vec2(8.0))));
+    vec2 _131 = vec2(_130.x ? _125.x : vec2(-8.0).x, _130.y ? _125.y : vec2(-8.0).y);
+    float _133 = dot(_117.zw, parameters.gClipToDepth);
+    vec2 _139 = _131 * parameters.gFrameToCoarse;
+    vec2 _141 = _139 * parameters.gOutputSize.xy + vec2(-0.5);
+    vec2 _143 = floor(_141) + vec2(0.5);
+    vec2 _144 = _143 * parameters.gOutputSize.zw;
+    vec2 _145 = _143 * parameters.gOutputSize.zw + parameters.gOutputSize.zw;
+    vec2 _146 = fract(_141);
+    vec2 _147 = vec2(1.0) - _146;
+    vec4 _151 = textureLod(gHistoryCache, _144, 0.0);
+    float _152 = _151.x;
+    float _157 = (_152 > 0.0) ? min(_152, 31.984375) : 0.0;
+    float _158 = floor(_157);
+    vec2 _163 = min(vec2(_158 * 0.0322580635547637939453125, (_157 - _158) * 1.01587307453155517578125), vec2(1.0));
+    bvec2 _164 = bvec2(abs(_152) <= 65504.0);
+    vec4 _170 = vec4(vec2(_164.x ? _163.x : vec2(1.9999999360571384930131252153835e+38).x, _164.y ? _163.y : vec2(1.9999999360571384930131252153835e+38).y), _151.zw);
+    vec4 _175 = textureLod(gHistoryCache, vec2(_145.x, _144.y), 0.0);
+    float _176 = _175.x;
+    float _181 = (_176 > 0.0) ? min(_176, 31.984375) : 0.0;
+    float _182 = floor(_181);
+    vec2 _187 = min(vec2(_182 * 0.0322580635547637939453125, (_181 - _182) * 1.01587307453155517578125), vec2(1.0));
+    bvec2 _188 = bvec2(abs(_176) <= 65504.0);
+    vec4 _194 = vec4(vec2(_188.x ? _187.x : vec2(1.9999999360571384930131252153835e+38).x, _188.y ? _187.y : vec2(1.9999999360571384930131252153835e+38).y), _175.zw);
+    vec4 _199 = textureLod(gHistoryCache, vec2(_144.x, _145.y), 0.0);
+    float _200 = _199.x;
+    float _205 = (_200 > 0.0) ? min(_200, 31.984375) : 0.0;
+    float _206 = floor(_205);
+    vec2 _211 = min(vec2(_206 * 0.0322580635547637939453125, (_205 - _206) * 1.01587307453155517578125), vec2(1.0));
+    bvec2 _212 = bvec2(abs(_200) <= 65504.0);
+    vec4 _218 = vec4(vec2(_212.x ? _211.x : vec2(1.9999999360571384930131252153835e+38).x, _212.y ? _211.y : vec2(1.9999999360571384930131252153835e+38).y), _199.zw);
+    vec4 _220 = textureLod(gHistoryCache, _145, 0.0);
+    float _221 = _220.x;
+    float _226 = (_221 > 0.0) ? min(_221, 31.984375) : 0.0;
+    float _227 = floor(_226);
+    vec2 _232 = min(vec2(_227 * 0.0322580635547637939453125, (_226 - _227) * 1.01587307453155517578125), vec2(1.0));
+    bvec2 _233 = bvec2(abs(_221) <= 65504.0);
+    vec4 _239 = vec4(vec2(_233.x ? _232.x : vec2(1.9999999360571384930131252153835e+38).x, _233.y ? _232.y : vec2(1.9999999360571384930131252153835e+38).y), _220.zw);
+    float _240 = _147.x;
+    float _241 = _146.x;
+    bool _249 = all(lessThanEqual(abs(_170), vec4(9.9999996802856924650656260769173e+37)));
+    bool _253 = all(lessThanEqual(abs(_194), vec4(9.9999996802856924650656260769173e+37)));
+    bool _257 = all(lessThanEqual(abs(_218), vec4(9.9999996802856924650656260769173e+37)));
+    bool _261 = all(lessThanEqual(abs(_239), vec4(9.9999996802856924650656260769173e+37)));
+    vec4 _264 = (vec4(_240, _241, _240, _241) * vec4(_147.yy, _146.yy)) * vec4(float(_249), float(_253), float(_257), float(_261));
+    bvec4 _266 = bvec4(_249);
+    bvec4 _270 = bvec4(_253);
+    bvec4 _275 = bvec4(_257);
+    bvec4 _280 = bvec4(_261);
+    float _284 = dot(_264, vec4(1.0));
+    vec4 _287 = ((((vec4(_266.x ? _170.x : vec4(0.0).x, _266.y ? _170.y : vec4(0.0).y, _266.z ? _170.z : vec4(0.0).z, _266.w ? _170.w : vec4(0.0).w) * _264.x) + (vec4(_270.x ? _194.x : vec4(0.0).x, _270.y ? _194.y : vec4(0.0).y, _270.z ? _194.z : vec4(0.0).z, _270.w ? _194.w : vec4(0.0).w) * _264.y)) + (vec4(_275.x ? _218.x : vec4(0.0).x, _275.y ? _218.y : vec4(0.0).y, _275.z ? _218.z : vec4(0.0).z, _275.w ? _218.w : vec4(0.0).w) * _264.z)) + (vec4(_280.x ? _239.x : vec4(0.0).x, _280.y ? _239.y : vec4(0.0).y, _280.z ? _239.z : vec4(0.0).z, _280.w ? _239.w : vec4(0.0).w) * _264.w)) / vec4(_284);
+    bvec4 _288 = bvec4(_284 > 9.9999999747524270787835121154785e-07);
+    vec4 _289 = vec4(_288.x ? _287.x : vec4(0.0).x, _288.y ? _287.y : vec4(0.0).y, _288.z ? _287.z : vec4(0.0).z, _288.w ? _287.w : vec4(0.0).w);
+    float _291 = _289.z;
+    float _298 = max(parameters.gMissThreshold.y * _91 + parameters.gMissThreshold.x, 9.9999999747524270787835121154785e-07);
+    float _304 = _298 - abs(((abs(_133) <= 9.9999996802856924650656260769173e+37) ? _133 : 0.0) - _289.w);
+    float _307 = (_304 > 0.0) ? (_304 * (parameters.gConvergenceTime / _298)) : 0.0;
+    float _323 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(abs(_289.xy), vec2(65504.0)))) ? (((_307 > 0.0) && all(lessThanEqual(abs(_131 * parameters.gFrameToCoarse + vec2(-0.5)), vec2(0.5)))) ? min(_307, 1.0) : 0.0) : 0.0;
+    float _335 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _337 = parameters.gSpeedPx.y - abs(length((gl_FragCoord.xy * parameters.gOutputSize.zw + (-_139)) * parameters.gOutputSize.xy));
+    float _341 = ((_337 > 0.0) ? min(_337, _335) : 0.0) / _335;
+    float _344 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _351 = (_291 > 0.0) ? min(_291, 255.0) : 0.0;
+    float _352 = _351 * _323;
+    float _355 = (_352 > 0.0) ? min(_352, 255.0) : 0.0;
+    float _359 = min(min(_355 / (_355 + 1.0), _344), ((_344 * _341) * _341) * ((-2.0) * _341 + 3.0));
+    float _360 = _289.x;
+    float _361 = _105.x;
+    bool _362 = _359 > 0.0;
+    float _364 = _362 ? min(_359, 1.0) : 0.0;
+    float _367 = 1.0 - _364;
+    float _371 = _289.y;
+    float _372 = _105.y;
+    vec2 _378 = vec2((abs(_360) <= 9.9999996802856924650656260769173e+37) ? (_360 * _364 + (_361 * _367)) : _361, (abs(_371) <= 9.9999996802856924650656260769173e+37) ? (_371 * _364 + (_372 * _367)) : _372);
+    bvec2 _379 = bvec2(_362);
+    vec2 _380 = vec2(_379.x ? _378.x : _105.x, _379.y ? _378.y : _105.y);
+    float _381 = _380.x;
+    float _382 = _380.y;
+    gOutCache = vec4(((_382 > 0.0) ? min(_382, 1.0) : 0.0) * 0.984375 + floor(((_381 > 0.0) ? min(_381, 1.0) : 0.0) * 31.0 + 0.5), 0.0, min(_351 * ((_323 > 0.0) ? min(_323, 1.0) : 0.0) + 1.0, 255.0), _91);
+}
+

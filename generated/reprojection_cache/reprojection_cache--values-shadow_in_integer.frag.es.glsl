@@ -1,0 +1,120 @@
+#version 300 es
+precision highp float;
+precision highp int;
+
+layout(std140) uniform ReprojectionCacheParameters
+{
+    mat4 gViewToPreviousClip;
+    vec4 gOutputSize;
+    vec4 gViewRay;
+    vec2 gFrameToCoarse;
+    vec2 gMotionToUv;
+    vec2 gClipToDepth;
+    vec2 gMissThreshold;
+    float gConvergenceTime;
+    float gMaxWeight;
+    vec2 gSpeedPx;
+    float gHistoryValid;
+} parameters;
+
+uniform highp sampler2D gInFresh;
+uniform highp sampler2D gHistoryCache;
+
+layout(location = 0) out vec4 gOutCache;
+
+void main()
+{
+    vec2 _82 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _86 = textureLod(gInFresh, _82, 0.0);
+    float _87 = _86.y;
+    float _91 = ((_87 > 0.0) && (_87 < 65504.0)) ? _87 : 65504.0;
+    float _92 = _86.x;
+    float _97 = (_92 > 0.0) ? min(_92, 31.984375) : 0.0;
+    float _98 = floor(_97);
+    vec2 _104 = min(vec2(_98 * 0.0322580635547637939453125, (_97 - _98) * 1.01587307453155517578125), vec2(1.0)).yx;
+    bvec2 _105 = bvec2(abs(_92) <= 65504.0);
+    vec2 _106 = vec2(_105.x ? _104.x : vec2(0.0).x, _105.y ? _104.y : vec2(0.0).y);
+    vec4 _118 = parameters.gViewToPreviousClip * vec4((_82 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _91, _91, 1.0);
+    float _121 = _118.w;
+    vec2 _126 = (_118.xy * (1.0 / _121)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _131 = bvec2((_121 > 0.0) && all(lessThanEqual(abs(_126), vec2(8.0))));
+    vec2 _132 = vec2(_131.x ? _126.x : vec2(-8.0).x, _131.y ? _126.y : vec2(-8.0).y);
+    float _134 = dot(_118.zw, parameters.gClipToDepth);
+    vec2 _140 = _132 * parameters.gFrameToCoarse;
+    vec2 _142 = _140 * parameters.gOutputSize.xy + vec2(-0.5);
+    vec2 _144 = floor(_142) + vec2(0.5);
+    vec2 _145 = _144 * parameters.gOutputSize.zw;
+    vec2 _146 = _144 * parameters.gOutputSize.zw + parameters.gOutputSize.zw;
+    vec2 _147 = fract(_142);
+    vec2 _148 = vec2(1.0) - _147;
+    vec4 _152 = textureLod(gHistoryCache, _145, 0.0);
+    float _153 = _152.x;
+    float _158 = (_153 > 0.0) ? min(_153, 31.984375) : 0.0;
+    float _159 = floor(_158);
+    vec2 _165 = min(vec2(_159 * 0.0322580635547637939453125, (_158 - _159) * 1.01587307453155517578125), vec2(1.0)).yx;
+    bvec2 _166 = bvec2(abs(_153) <= 65504.0);
+    vec4 _172 = vec4(vec2(_166.x ? _165.x : vec2(1.9999999360571384930131252153835e+38).x, _166.y ? _165.y : vec2(1.9999999360571384930131252153835e+38).y), _152.zw);
+    vec4 _177 = textureLod(gHistoryCache, vec2(_146.x, _145.y), 0.0);
+    float _178 = _177.x;
+    float _183 = (_178 > 0.0) ? min(_178, 31.984375) : 0.0;
+    float _184 = floor(_183);
+    vec2 _190 = min(vec2(_184 * 0.0322580635547637939453125, (_183 - _184) * 1.01587307453155517578125), vec2(1.0)).yx;
+    bvec2 _191 = bvec2(abs(_178) <= 65504.0);
+    vec4 _197 = vec4(vec2(_191.x ? _190.x : vec2(1.9999999360571384930131252153835e+38).x, _191.y ? _190.y : vec2(1.9999999360571384930131252153835e+38).y), _177.zw);
+    vec4 _202 = textureLod(gHistoryCache, vec2(_145.x, _146.y), 0.0);
+    float _203 = _202.x;
+    float _208 = (_203 > 0.0) ? min(_203, 31.984375) : 0.0;
+    float _209 = floor(_208);
+    vec2 _215 = min(vec2(_209 * 0.0322580635547637939453125, (_208 - _209) * 1.01587307453155517578125), vec2(1.0)).yx;
+    bvec2 _216 = bvec2(abs(_203) <= 65504.0);
+    vec4 _222 = vec4(vec2(_216.x ? _215.x : vec2(1.9999999360571384930131252153835e+38).x, _216.y ? _215.y : vec2(1.9999999360571384930131252153835e+38).y), _202.zw);
+    vec4 _224 = textureLod(gHistoryCache, _146, 0.0);
+    float _225 = _224.x;
+    float _230 = (_225 > 0.0) ? min(_225, 31.984375) : 0.0;
+    float _231 = floor(_230);
+    vec2 _237 = min(vec2(_231 * 0.0322580635547637939453125, (_230 - _231) * 1.01587307453155517578125), vec2(1.0)).yx;
+    bvec2 _238 = bvec2(abs(_225) <= 65504.0);
+    vec4 _244 = vec4(vec2(_238.x ? _237.x : vec2(1.9999999360571384930131252153835e+38).x, _238.y ? _237.y : vec2(1.9999999360571384930131252153835e+38).y), _224.zw);
+    float _245 = _148.x;
+    float _246 = _147.x;
+    bool _254 = all(lessThanEqual(abs(_172), vec4(9.9999996802856924650656260769173e+37)));
+    bool _258 = all(lessThanEqual(abs(_197), vec4(9.9999996802856924650656260769173e+37)));
+    bool _262 = all(lessThanEqual(abs(_222), vec4(9.9999996802856924650656260769173e+37)));
+    bool _266 = all(lessThanEqual(abs(_244), vec4(9.9999996802856924650656260769173e+37)));
+    vec4 _269 = (vec4(_245, _246, _245, _246) * vec4(_148.yy, _147.yy)) * vec4(float(_254), float(_258), float(_262), float(_266));
+    bvec4 _271 = bvec4(_254);
+    bvec4 _275 = bvec4(_258);
+    bvec4 _280 = bvec4(_262);
+    bvec4 _285 = bvec4(_266);
+    float _289 = dot(_269, vec4(1.0));
+    vec4 _292 = ((((vec4(_271.x ? _172.x : vec4(0.0).x, _271.y ? _172.y : vec4(0.0).y, _271.z ? _172.z : vec4(0.0).z, _271.w ? _172.w : vec4(0.0).w) * _269.x) + (vec4(_275.x ? _197.x : vec4(0.0).x, _275.y ? _197.y : vec4(0.0).y, _275.z ? _197.z : vec4(0.0).z, _275.w ? _197.w : vec4(0.0).w) * _269.y)) + (vec4(_280.x ? _222.x : vec4(0.0).x, _280.y ? _222.y : vec4(0.0).y, _280.z ? _222.z : vec4(0.0).z, _280.w ? _222.w : vec4(0.0).w) * _269.z)) + (vec4(_285.x ? _244.x : vec4(0.0).x, _285.y ? _244.y : vec4(0.0).y, _285.z ? _244.z : vec4(0.0).z, _285.w ? _244.w : vec4(0.0).w) * _269.w)) / vec4(_289);
+    bvec4 _293 = bvec4(_289 > 9.9999999747524270787835121154785e-07);
+    vec4 _294 = vec4(_293.x ? _292.x : vec4(0.0).x, _293.y ? _292.y : vec4(0.0).y, _293.z ? _292.z : vec4(0.0).z, _293.w ? _292.w : vec4(0.0).w);
+    float _296 = _294.z;
+    float _303 = max(parameters.gMissThreshold.y * _91 + parameters.gMissThreshold.x, 9.9999999747524270787835121154785e-07);
+    float _309 = _303 - abs(((abs(_134) <= 9.9999996802856924650656260769173e+37) ? _134 : 0.0) - _294.w);
+    float _312 = (_309 > 0.0) ? (_309 * (parameters.gConvergenceTime / _303)) : 0.0;
+    float _328 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(abs(_294.xy), vec2(65504.0)))) ? (((_312 > 0.0) && all(lessThanEqual(abs(_132 * parameters.gFrameToCoarse + vec2(-0.5)), vec2(0.5)))) ? min(_312, 1.0) : 0.0) : 0.0;
+    float _340 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _342 = parameters.gSpeedPx.y - abs(length((gl_FragCoord.xy * parameters.gOutputSize.zw + (-_140)) * parameters.gOutputSize.xy));
+    float _346 = ((_342 > 0.0) ? min(_342, _340) : 0.0) / _340;
+    float _349 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _356 = (_296 > 0.0) ? min(_296, 255.0) : 0.0;
+    float _357 = _356 * _328;
+    float _360 = (_357 > 0.0) ? min(_357, 255.0) : 0.0;
+    float _364 = min(min(_360 / (_360 + 1.0), _349), ((_349 * _346) * _346) * ((-2.0) * _346 + 3.0));
+    float _365 = _294.x;
+    float _366 = _106.x;
+    bool _367 = _364 > 0.0;
+    float _369 = _367 ? min(_364, 1.0) : 0.0;
+    float _372 = 1.0 - _369;
+    float _376 = _294.y;
+    float _377 = _106.y;
+    vec2 _383 = vec2((abs(_365) <= 9.9999996802856924650656260769173e+37) ? (_365 * _369 + (_366 * _372)) : _366, (abs(_376) <= 9.9999996802856924650656260769173e+37) ? (_376 * _369 + (_377 * _372)) : _377);
+    bvec2 _384 = bvec2(_367);
+    vec2 _385 = vec2(_384.x ? _383.x : _106.x, _384.y ? _383.y : _106.y);
+    float _386 = _385.x;
+    float _387 = _385.y;
+    gOutCache = vec4(((_386 > 0.0) ? min(_386, 1.0) : 0.0) * 0.984375 + floor(((_387 > 0.0) ? min(_387, 1.0) : 0.0) * 31.0 + 0.5), 0.0, min(_356 * ((_328 > 0.0) ? min(_328, 1.0) : 0.0) + 1.0, 255.0), _91);
+}
+

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// A coarse value at full resolution, along the edges of the full depth. Drobot, "Bilateral Upsampling",
+// Listing 7.1 and figure 7.2 (D1), step 7 of the framework (D7).
+//
+// gInFiltered      RGBA16F, of which the first is read: the value. VALUES other than one: occlusion and
+//                  shadow packed in it, see occlusion_shadow_packing.hlsli
+// gInCoarseDepth   R32F, metres, of depth_downsample: a binary16 is coarser than the depth weights are sharp
+// gInDepth         R32F or D32F, device depth in [0,1] (any depth kind), or metres with DEPTH_LINEAR
+// gInNormal        NORMAL_WEIGHTS: view space, unit; gInCoarseNormal the same for the coarse texels
+// gOutUpsampled    RG16F: the value and 0, or occlusion and shadow
+// A coarse sample that is NaN or beyond MAX_COLOUR has no share; of four such 0 remains. A pixel whose depth
+// is none counts as sky.
+
+#include "reprise/bilateral_upsampling.hlsli"
+#include "reprise/conventions.hlsli"
+#include "reprise/coordinates.hlsli"
+#include "reprise/depth.hlsli"
+#include "reprise/occlusion_shadow_packing.hlsli"
+#include "reprise/platform.hlsli"
+
+BINDING(0) cbuffer BilateralUpsampleParameters {
+    float4 gOutputSize;    // width, height, 1 / width, 1 / height
+    float4 gCoarseSize;    // of the coarse images
+    float2 gLinearDepth;   // linearDepthCoefficients() of the projection; unused with DEPTH_LINEAR
+    float gSkyDepth;       // metres, as depth_downsample had it
+    float gContrast;       // NORMAL_WEIGHTS: exponent of the cosine, up to 256
+};
+
+TEXTURE_POINT(gInFiltered, 1);
+TEXTURE_POINT(gInCoarseDepth, 2);
+TEXTURE_POINT(gInDepth, 3);
+#if NORMAL_WEIGHTS
+TEXTURE_POINT(gInNormal, 4);
+TEXTURE_POINT(gInCoarseNormal, 5);
+#endif
+
+#if RATIO_4
+static const float COARSE_TEXEL_PX = 4.0;
+#else
+static const float COARSE_TEXEL_PX = 2.0;
+#endif
+
+float knownDepth(float depth) {
+    return depth > 0.0 && depth < min(gSkyDepth, SKY_DEPTH) ? depth : SKY_DEPTH;
+}
+
+float readDepth(float2 uv) {
+    float depth = SAMPLE(gInDepth, uv).r;
+#if DEPTH_LINEAR
+    return knownDepth(depth);
+#else
+    return abs(depth - 0.5) <= 0.5 ? knownDepth(linearDepthFromDevice(depth, gLinearDepth)) : SKY_DEPTH;
+#endif
+}
+
+// Red of the four texels of the footprint, left and right above, left and right below.
+float4 readRed(TEXTURE_PARAMETER(coarse), CoarseFootprint footprint, float2 positionPx) {
+#if HAS_GATHER
+    float2 corner = floor(positionPx / COARSE_TEXEL_PX - 0.5) + 1.0;
+    return GATHER_RED(coarse, pxToUv(corner, gCoarseSize.zw)).wzxy;
+#else
+    return float4(SAMPLE(coarse, footprint.leftUp).r, SAMPLE(coarse, footprint.rightUp).r,
+                  SAMPLE(coarse, footprint.leftDown).r, SAMPLE(coarse, footprint.rightDown).r);
+#endif
+}
+
+#if !VALUES_ONE
+// What is no number stays none.
+float2 unpackValues(float value) {
+#if VALUES_OCCLUSION_IN_INTEGER
+    return isNumber(value) ? unpackOcclusionInInteger(value) : value;
+#else
+    return isNumber(value) ? unpackShadowInInteger(value) : value;
+#endif
+}
+#endif
+
+float2 upsampledValues(float2 positionPx) {
+    float2 uv = pxToUv(positionPx, gOutputSize.zw);
+    CoarseFootprint footprint = coarseFootprint(positionPx, COARSE_TEXEL_PX, gCoarseSize.xy);
+    float4 values = readRed(TEXTURE_ARGUMENT(gInFiltered), footprint, positionPx);
+    values = abs(values) <= MAX_COLOUR ? values : 2.0 * LARGEST_NUMBER;   // no number, and has no share
+    float4 depths = readRed(TEXTURE_ARGUMENT(gInCoarseDepth), footprint, positionPx);
+#if NORMAL_WEIGHTS
+    float4 normalWeights = normalWeightsOf(
+        SAMPLE(gInCoarseNormal, footprint.leftUp).xyz, SAMPLE(gInCoarseNormal, footprint.rightUp).xyz,
+        SAMPLE(gInCoarseNormal, footprint.leftDown).xyz, SAMPLE(gInCoarseNormal, footprint.rightDown).xyz,
+        SAMPLE(gInNormal, uv).xyz, gContrast);
+#else
+    float4 normalWeights = float4(1.0, 1.0, 1.0, 1.0);
+#endif
+#if VALUES_ONE
+    return float2(
+        bilateralUpsample(values, footprint.bilinearWeights, normalWeights, depths, readDepth(uv)), 0.0);
+#else
+    return bilateralUpsample(unpackValues(values.x), unpackValues(values.y), unpackValues(values.z),
+                             unpackValues(values.w), footprint.bilinearWeights, normalWeights, depths,
+                             readDepth(uv));
+#endif
+}
+
+#if STAGE_COMPUTE
+
+BINDING(16) RWTexture2D<float4> gOutUpsampled;
+
+[numthreads(16, 16, 1)]
+void mainCompute(uint3 thread : SV_DispatchThreadID) {
+    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
+    gOutUpsampled[thread.xy] = float4(upsampledValues(float2(thread.xy) + 0.5), 0.0, 0.0);
+}
+
+#else
+
+// Four components, for shader model 3 takes no fewer.
+float4 mainFragment(float4 positionPx : POSITION_PX) : SV_Target0 {
+    return float4(upsampledValues(positionPx.xy), 0.0, 0.0);
+}
+
+#endif

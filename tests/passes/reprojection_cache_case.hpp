@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames for reprojection_cache, its execution and its comparison with the oracle.
+#pragma once
+
+#include "camera_case.hpp"
+#include "oracle/cache_pass.hpp"
+
+namespace passes {
+
+struct ReprojectionCacheCase {
+    oracle::CachePass pass; // images apart
+    Pixels fresh, velocity, history;
+    reprise::ReprojectionCacheParameters parameters{};
+};
+
+// A tilted plane seen by two cameras, some of its texels nearer by a metre; the history holds the depth that
+// the previous camera saw, or another one in a sixth of the texels. width and height are the frame's.
+ReprojectionCacheCase reprojectionCacheCase(const Variant& variant, int width, int height, uint64_t seed);
+// Sets what the shader takes from `pass`, by the runtime's own functions.
+void setParameters(ReprojectionCacheCase& frame);
+std::vector<Pixels> run(Pass& pass, const ReprojectionCacheCase& frame);
+Comparison compareWithOracle(const ReprojectionCacheCase& frame, const Pixels& cache);
+
+} // namespace passes

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// reprojection_cache executed and held to the oracle. The functions' own test is under tests/functions.
+//
+// Bound of a pixel: what a history misplaced by float32's roundings, or weights of a filter of few bits,
+// change in it (placeError and depthError in reprojection_cache_case.cpp), and the store.
+#include "reprojection_cache_case.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace passes {
+namespace {
+
+constexpr std::pair<int, int> sizes[] = {{1, 1}, {2, 2}, {7, 5}, {64, 64}, {641, 359}};
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float poisons[] = {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, 1e38f};
+
+class ReprojectionCache : public PassTest, public testing::WithParamInterface<Stage> {};
+INSTANTIATE_TEST_SUITE_P(Stages, ReprojectionCache, testing::Values(Stage::fragment, Stage::compute),
+                         [](const auto& each) { return stageText(each.param); });
+
+std::vector<Variant> allVariants() {
+    std::vector<Variant> variants;
+    for (const std::string_view values : {"one", "occlusion_in_integer", "shadow_in_integer"})
+        for (const std::string_view resampling : {"nearest", "bilinear"})
+            for (const std::string_view motion : {"off", "on"})
+                for (const std::string_view orthographic : {"off", "on"})
+                    variants.push_back(variantOf(pack(), "reprojection_cache",
+                                                 {{"VALUES", values},
+                                                  {"RESAMPLING", resampling},
+                                                  {"MOTION", motion},
+                                                  {"ORTHOGRAPHIC", orthographic}}));
+    return variants;
+}
+
+TEST_P(ReprojectionCache, everyVariantEqualsTheOracleAtEverySize) {
+    for (const Variant& variant : allVariants()) {
+        Pass pass(variant, GetParam(), {rgba32f});
+        for (const auto& [width, height] : sizes) {
+            if (width > 64 && reprise::variantName(variant) != "reprojection_cache") continue;
+            const auto frame = reprojectionCacheCase(variant, width, height, 91);
+            const Comparison result = compareWithOracle(frame, run(pass, frame)[0]);
+            EXPECT_TRUE(result.holds())
+                << describe(variant, GetParam(), width, height) << ": " << text(result);
+        }
+    }
+}
+
+// The first frame, a cut, a gap or a resize: this frame alone, and one frame of convergence, whatever the
+// history holds.
+TEST_P(ReprojectionCache, invalidHistoryGivesTheFreshValue) {
+    for (const Variant& variant : allVariants()) {
+        Pass pass(variant, GetParam(), {rgba32f});
+        auto frame = reprojectionCacheCase(variant, 33, 17, 92);
+        frame.pass.historyValid = 0.0;
+        setParameters(frame);
+        for (const float value : poisons) {
+            std::fill(frame.history.values.begin(), frame.history.values.end(), value);
+            const Pixels got = run(pass, frame)[0];
+            for (int y = 0; y < got.height; ++y)
+                for (int x = 0; x < got.width; ++x) {
+                    // Packing what was packed moves the fraction by roundings alone.
+                    ASSERT_NEAR(got.at(x, y, 0), frame.fresh.at(x, y, 0), 4e-6f) << value;
+                    ASSERT_EQ(got.at(x, y, 2), 1.0f) << value;
+                }
+        }
+    }
+}
+
+// Broken texels of every input: all that comes out is what a history can hold.
+TEST_P(ReprojectionCache, brokenTexelsLeaveNumbers) {
+    for (const Variant& variant : allVariants()) {
+        Pass pass(variant, GetParam(), {rgba32f});
+        const auto clean = reprojectionCacheCase(variant, 33, 17, 93);
+        for (const float value : poisons)
+            for (int input = 0; input < 3; ++input) {
+                auto frame = clean;
+                Pixels& poisoned = input == 0 ? frame.fresh : input == 1 ? frame.velocity : frame.history;
+                for (size_t i = 0; i < poisoned.values.size(); i += 5)
+                    poisoned.values[i] = value;
+                const Pixels got = run(pass, frame)[0];
+                for (const float each : got.values)
+                    ASSERT_TRUE(std::abs(each) <= 65504.0f)
+                        << describe(variant, GetParam(), 33, 17) << ", input " << input << ": " << value;
+            }
+    }
+}
+
+// A broken texel of history reaches the pixels that read it, and those hold the fresh value: they equal the
+// oracle, as does every other.
+TEST_P(ReprojectionCache, brokenHistoryIsNotUsed) {
+    for (const Variant& variant : allVariants()) {
+        Pass pass(variant, GetParam(), {rgba32f});
+        for (const float value : poisons)
+            for (const int channel : {0, 2, 3}) {
+                auto frame = reprojectionCacheCase(variant, 33, 17, 94);
+                frame.history.at(7, 4, channel) = value;
+                // Between texels a filter spreads what is broken, to texels of weight 0 too.
+                const Pixels got = run(pass, frame)[0];
+                for (const float each : got.values)
+                    ASSERT_TRUE(std::abs(each) <= 65504.0f) << value;
+                if (frame.pass.bilinear) continue;
+                const Comparison result = compareWithOracle(frame, got);
+                EXPECT_TRUE(result.holds()) << describe(variant, GetParam(), 33, 17) << ", " << value
+                                            << " in channel " << channel << ": " << text(result);
+            }
+    }
+}
+
+// A standing image: the value is the mean of its frames until the largest weight is reached, and the
+// convergence counts them.
+TEST_P(ReprojectionCache, framesAreAveragedAndCounted) {
+    const Variant variant = variantOf(pack(), "reprojection_cache");
+    Pass pass(variant, GetParam(), {rgba32f});
+    auto frame = reprojectionCacheCase(variant, 32, 32, 95);
+    frame.pass.previous = frame.pass.current;
+    frame.pass.historyValid = 0.0;
+    setParameters(frame);
+    double sum = 0.0;
+    for (int n = 1; n <= 9; ++n) {
+        const double value = unitHash(96, static_cast<uint64_t>(n));
+        sum += value;
+        for (int i = 0; i < 16 * 16; ++i)
+            frame.fresh.at(i % 16, i / 16, 0) = static_cast<float>(value);
+        frame.history = run(pass, frame)[0];
+        for (int i = 0; i < 16 * 16; ++i) {
+            ASSERT_NEAR(frame.history.at(i % 16, i / 16, 0), sum / n, 2e-6) << n;
+            ASSERT_NEAR(frame.history.at(i % 16, i / 16, 2), n, 1e-4) << n;
+        }
+        frame.pass.historyValid = 1.0;
+        setParameters(frame);
+    }
+}
+
+} // namespace
+} // namespace passes
