@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes.hpp"
 
+#include "passes/ambient_occlusion_case.hpp"
+#include "passes/bilateral_upsample_case.hpp"
 #include "passes/camera_case.hpp"
+#include "passes/depth_downsample_case.hpp"
 #include "passes/object_case.hpp"
+#include "passes/reprojection_cache_case.hpp"
 #include "passes/temporal_aa_case.hpp"
 
 #include <algorithm>
@@ -131,6 +135,82 @@ std::vector<Scene> temporalAaScenes(const Variant& variant) {
     return scenes;
 }
 
+// --- The framework's passes; sizes are those of the target
+
+template <class Case> Scene sceneOf(Size size, std::shared_ptr<const Case> frame) {
+    Scene scene{text(size), size.width, size.height, {}, {}, {}, {}, {}, {}, frame};
+    scene.parameters = bytesOf(frame->parameters);
+    scene.judge = [frame](const Outputs& outputs, const DeviceError&) {
+        return compareWithOracle(*frame, outputs[0]);
+    };
+    return scene;
+}
+
+template <class Case> std::shared_ptr<const Case> shared(Case frame) {
+    return std::make_shared<const Case>(std::move(frame));
+}
+
+std::vector<Scene> depthDownsampleScenes(const Variant& variant) {
+    const int ratio = reprise::switchValue(variant, "RATIO") == "4" ? 4 : 2;
+    std::vector<Scene> scenes;
+    for (const Size size : sizes) {
+        const auto frame =
+            shared(passes::randomDepthDownsampleCase(variant, ratio * size.width, ratio * size.height, 64));
+        scenes.push_back(sceneOf(size, frame));
+        scenes.back().images = {{"gInDepth", &frame->depth}};
+    }
+    return scenes;
+}
+
+std::vector<Scene> ambientOcclusionScenes(const Variant& variant) {
+    std::vector<Scene> scenes;
+    for (const Size size : sizes) {
+        const auto frame = shared(
+            passes::ambientOcclusionCase(variant, passes::Surfaces::random, size.width, size.height, 65));
+        scenes.push_back(sceneOf(size, frame));
+        scenes.back().images = {{"gInCoarseDepth", &frame->depth}, {"gInCoarseNormal", &frame->normal}};
+    }
+    return scenes;
+}
+
+std::vector<Scene> reprojectionCacheScenes(const Variant& variant) {
+    std::vector<Scene> scenes;
+    for (const Size size : sizes) {
+        const auto frame =
+            shared(passes::reprojectionCacheCase(variant, 2 * size.width, 2 * size.height, 66));
+        scenes.push_back(sceneOf(size, frame));
+        scenes.back().images = {{"gInFresh", &frame->fresh},
+                                {"gInVelocity", &frame->velocity},
+                                {"gHistoryCache", &frame->history},
+                                {"gHistoryCacheFiltered", &frame->history}};
+    }
+    return scenes;
+}
+
+std::vector<Scene> bilateralFilterScenes(const Variant& variant) {
+    std::vector<Scene> scenes;
+    for (const Size size : sizes) {
+        const auto frame = shared(passes::bilateralFilterCase(variant, size.width, size.height, {1, 0}, 67));
+        scenes.push_back(sceneOf(size, frame));
+        scenes.back().images = {{"gInCache", &frame->cache}, {"gInCacheFiltered", &frame->cache}};
+    }
+    return scenes;
+}
+
+std::vector<Scene> bilateralUpsampleScenes(const Variant& variant) {
+    std::vector<Scene> scenes;
+    for (const Size size : sizes) {
+        const auto frame = shared(passes::bilateralUpsampleCase(variant, size.width, size.height, 68));
+        scenes.push_back(sceneOf(size, frame));
+        scenes.back().images = {{"gInFiltered", &frame->filtered},
+                                {"gInCoarseDepth", &frame->coarseDepth},
+                                {"gInDepth", &frame->depths.depth},
+                                {"gInNormal", &frame->normal},
+                                {"gInCoarseNormal", &frame->coarseNormal}};
+    }
+    return scenes;
+}
+
 // --- fullscreen
 
 // Where a pixel says that it is, to 1/1024 px: far from the half pixel that is looked for.
@@ -163,6 +243,11 @@ constexpr PassScenes passScenes[] = {
     {"fullscreen", fullscreenScenes},
     {"camera_velocity", cameraScenes},
     {"object_velocity", objectScenes},
+    {"depth_downsample", depthDownsampleScenes},
+    {"ambient_occlusion", ambientOcclusionScenes},
+    {"reprojection_cache", reprojectionCacheScenes},
+    {"bilateral_filter", bilateralFilterScenes},
+    {"bilateral_upsample", bilateralUpsampleScenes},
     {"temporal_aa", temporalAaScenes},
 };
 

@@ -6,9 +6,13 @@
 //
 // The texts are the pack's under PLATFORM_D3D9, with textures spelled as Vulkan wants them, and with corners
 // by vertex number in place of a vertex buffer.
+#include "ambient_occlusion_case.hpp"
+#include "bilateral_upsample_case.hpp"
 #include "camera_case.hpp"
 #include "changed_pack.hpp"
+#include "depth_downsample_case.hpp"
 #include "object_case.hpp"
+#include "reprojection_cache_case.hpp"
 #include "temporal_aa_case.hpp"
 #include "viewport_shift.hpp"
 
@@ -213,15 +217,48 @@ Comparison objectVelocity(const D3d9Pack& pack, const Variant& variant, Size siz
     return compareWithOracle(object, recordedMotion(object, pack.pack(), d3d9));
 }
 
+// The framework's: `size` is that of the target, whatever the ratio.
+Comparison depthDownsample(const D3d9Pack& pack, const Variant& variant, Size size) {
+    const int ratio = reprise::switchValue(variant, "RATIO") == "4" ? 4 : 2;
+    const auto frame = randomDepthDownsampleCase(variant, ratio * size.width, ratio * size.height, 74);
+    Pass pass = fullscreenPass(pack, variant, {r32f});
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison ambientOcclusion(const D3d9Pack& pack, const Variant& variant, Size size) {
+    const auto frame = ambientOcclusionCase(variant, Surfaces::random, size.width, size.height, 75);
+    Pass pass = fullscreenPass(pack, variant, {rg32f});
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison reprojectionCache(const D3d9Pack& pack, const Variant& variant, Size size) {
+    const auto frame = reprojectionCacheCase(variant, 2 * size.width, 2 * size.height, 76);
+    Pass pass = fullscreenPass(pack, variant, {rgba32f});
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison bilateralFilter(const D3d9Pack& pack, const Variant& variant, Size size) {
+    const auto frame = bilateralFilterCase(variant, size.width, size.height, {1, 0}, 77);
+    Pass pass = fullscreenPass(pack, variant, {rgba32f});
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison bilateralUpsample(const D3d9Pack& pack, const Variant& variant, Size size) {
+    const auto frame = bilateralUpsampleCase(variant, size.width, size.height, 78);
+    Pass pass = fullscreenPass(pack, variant, {rg32f});
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
 struct PassCheck {
     std::string_view pass;
     Comparison (*run)(const D3d9Pack&, const Variant&, Size);
 };
 // One line for each pass of pack.toml with a fragment stage.
 constexpr PassCheck checks[] = {
-    {"camera_velocity", cameraVelocity},
-    {"object_velocity", objectVelocity},
-    {"temporal_aa", temporalAa},
+    {"camera_velocity", cameraVelocity},       {"object_velocity", objectVelocity},
+    {"depth_downsample", depthDownsample},     {"ambient_occlusion", ambientOcclusion},
+    {"reprojection_cache", reprojectionCache}, {"bilateral_filter", bilateralFilter},
+    {"bilateral_upsample", bilateralUpsample}, {"temporal_aa", temporalAa},
 };
 
 constexpr bool everyFragmentPassHasACheck() {
