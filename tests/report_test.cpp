@@ -166,6 +166,21 @@ TEST(Floors, haveTheReadsAndWritesOfTheirPass) {
         expectFloorReadsWhatThePassReads(*camera, stage);
 }
 
+// A driver compiles for the target's format: what only a component that it lacks needs is not computed.
+TEST(Floors, readEveryParameterForTheComponentsThatAreStored) {
+    const auto camera = reprise::makeVariant(pack().passes(), "camera_velocity"); // writes RG16F
+    ASSERT_TRUE(camera);
+    const auto pass =
+        reprisec::compile(pack(), *camera, Stage::fragment, {.glsl = false, .platformSwitches = {}});
+    ASSERT_TRUE(pass) << pass.error().message;
+    std::string source = floorSource(*camera, Stage::fragment, pass->reflection, 641, 359);
+    const std::string stored = "outputs.c0 = sum;";
+    ASSERT_NE(std::string::npos, source.find(stored));
+    source.replace(source.find(stored), stored.size(), "outputs.c0 = float4(sum.xy, 0.0, 0.0);");
+    const auto floor = compileText("floor", source, Stage::fragment);
+    EXPECT_EQ(pass->reflection.bindings.front().scalars, floor.reflection.bindings.front().scalars);
+}
+
 // Same vertex inputs, palettes and target: what the compiler drops would be missing from the floor's time.
 TEST(Floors, ofTheObjectPassReadsItsPalettesAndVertices) {
     for (const bool skinned : {false, true}) {

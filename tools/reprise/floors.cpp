@@ -80,6 +80,19 @@ std::string parametersRead(const reprisec::Reflection& reflection) {
     return text;
 }
 
+// The sum, in no more components than the widest image that is written has: a driver drops what a component
+// that is not stored was computed from, reads of parameters among them.
+std::string foldedSum(const reprise::Variant& variant) {
+    size_t components = 1;
+    for (const auto& image : variant.pass->outputs)
+        if (reprise::exists(variant, image))
+            components = std::max(components, image.format.starts_with("rgb")  ? size_t{4}
+                                              : image.format.starts_with("rg") ? size_t{2}
+                                                                               : size_t{1});
+    if (components == 4) return "sum";
+    return components == 2 ? "float4(sum.xy + sum.zw, 0.0, 0.0)" : "float4(dot(sum, 1.0), 0.0, 0.0, 0.0)";
+}
+
 std::string declarations(const reprisec::Reflection& reflection) {
     std::string text;
     if (reflection.parameterBytes > 0)
@@ -194,7 +207,8 @@ std::string floorSource(const reprise::Variant& variant, Stage stage, const repr
     for (const BindingUse& use : reflection.bindings)
         if (use.kind == BindingKind::sampledImage)
             text += readsOf(pass, use, stage == Stage::compute ? pass.pixelsPerThread : one);
-    return text + "    return sum;\n}\n" + entry(pass, stage, reflection, width, height);
+    return text + fmt::format("    return {};\n}}\n", foldedSum(variant)) +
+           entry(pass, stage, reflection, width, height);
 }
 
 std::string copySource(Stage stage, uint32_t width, uint32_t height) {
