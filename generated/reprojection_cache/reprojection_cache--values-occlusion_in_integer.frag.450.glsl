@@ -9,9 +9,10 @@ layout(binding = 0, std140) uniform ReprojectionCacheParameters
     vec2 gMotionToUv;
     vec2 gClipToDepth;
     vec2 gMissThreshold;
+    vec2 gSpeedPx;
+    vec2 gChange;
     float gConvergenceTime;
     float gMaxWeight;
-    vec2 gSpeedPx;
     float gHistoryValid;
 } parameters;
 

@@ -11,9 +11,10 @@ layout(std140) uniform ReprojectionCacheParameters
     vec2 gMotionToUv;
     vec2 gClipToDepth;
     vec2 gMissThreshold;
+    vec2 gSpeedPx;
+    vec2 gChange;
     float gConvergenceTime;
     float gMaxWeight;
-    vec2 gSpeedPx;
     float gHistoryValid;
 } parameters;
 

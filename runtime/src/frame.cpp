@@ -34,8 +34,8 @@ struct Recorder {
     std::vector<Slot> slots; // one a frame in flight
     FrameImages images;
     bool imagesAreNew = true, resized = false;
-    uint64_t recorded = 0;  // calls that succeeded
-    uint64_t lastFrame = 0; // of the last of them
+    uint64_t recorded = 0;      // calls that succeeded
+    uint64_t lastFrame = 0;     // of the last of them
     uint64_t historyFrames = 0; // since the last reset
     TaaTuning tuning;           // of the preset
     CameraFrame lastCamera;
@@ -91,7 +91,8 @@ Result<FramePlan> planFor(const Device& device, std::span<const PassInfo> passes
     auto made = plan(passes, packPresets(temporalPass), info.needs, settings, info.extent);
     if (made && made->passes.empty())
         return Error{ErrorCode::invalidArgument,
-                     "SceneNeeds asks for nothing, so that there is no pass to record; set antiAliasing."};
+                     "SceneNeeds asks for nothing, so that there is no pass to record; set antiAliasing or "
+                     "ambientOcclusion."};
     return made;
 }
 
@@ -129,10 +130,12 @@ struct External {
     const ImageRef* image;
 };
 
-std::array<External, 3> externals(const FrameInput& input) {
+std::array<External, 4> externals(const FrameInput& input) {
+    const auto given = [](const std::optional<ImageRef>& image) { return image ? &*image : nullptr; };
     return {{{"gInColour", "FrameInput::colour", &input.colour},
              {"gInDepth", "FrameInput::depth", &input.depth},
-             {"gInVelocity", "FrameInput::motion", input.motion ? &*input.motion : nullptr}}};
+             {"gInVelocity", "FrameInput::motion", given(input.motion)},
+             {"gInFresh", "FrameInput::fresh", given(input.fresh)}}};
 }
 
 const ImageRef* externalImage(const FrameInput& input, std::string_view name) {
@@ -151,7 +154,7 @@ Result<void> checkImage(const ImageRef* image, std::string_view field, VkExtent2
                      std::string(field) + " has no texels; give it a width and a height."};
     if (image->extent.width == extent.width && image->extent.height == extent.height) return {};
     return Error{ErrorCode::invalidArgument, std::string(field) + " is " + text(image->extent) +
-                                                 ", but the recorder is for " + text(extent) +
+                                                 ", but the recorder takes " + text(extent) +
                                                  "; call resize()."};
 }
 
@@ -276,12 +279,30 @@ struct Frame {
     VkExtent2D extent{};
 };
 
-template <class Parameters>
 Result<PreparedPass> preparePass(const Recorder& recorder, size_t step, FrameArena& arena,
-                                 const FrameInput& input, const Parameters& parameters) {
+                                 const FrameInput& input, std::span<const std::byte> parameters) {
     const auto images = imagesOf(recorder, recorder.plan.passes[step], input);
-    return PassAccess::prepare(*recorder.steps[step].fullscreen, arena,
-                               {images, {}, std::as_bytes(std::span(&parameters, 1))});
+    return PassAccess::prepare(*recorder.steps[step].fullscreen, arena, {images, {}, parameters});
+}
+
+Result<PreparedPass> prepareFullscreen(const Recorder& recorder, size_t index, FrameArena& arena,
+                                       const Frame& frame) {
+    const PlannedPass& planned = recorder.plan.passes[index];
+    const std::string_view name = planned.variant.pass->name;
+    const auto prepare = [&](const auto& parameters) {
+        return preparePass(recorder, index, arena, frame.input, std::as_bytes(std::span(&parameters, 1)));
+    };
+    const SceneNeeds& needs = recorder.needs;
+    if (name == temporalPass)
+        return prepare(temporalParameters(frame.input, frame.input.tuning.value_or(recorder.tuning),
+                                          frame.extent, frame.historyFrames, needs.engineWritesMotion));
+    if (name == "camera_velocity")
+        return prepare(cameraParameters(frame.input, frame.previous, frame.extent, needs.linearDepth));
+    const CacheFrame cache{frame.previous,          frame.extent,        recorder.plan.cache.ratio,
+                           frame.historyFrames > 0, needs.reversedDepth, needs.linearDepth,
+                           needs.engineWritesMotion};
+    const auto parameters = cacheParameters(name, planned.run, frame.input, cache);
+    return preparePass(recorder, index, arena, frame.input, parameters);
 }
 
 Result<PreparedStep> prepareStep(const Recorder& recorder, size_t index, FrameArena& arena,
@@ -295,14 +316,7 @@ Result<PreparedStep> prepareStep(const Recorder& recorder, size_t index, FrameAr
         prepared.draws = std::move(*draws);
         return prepared;
     }
-    const bool temporal = recorder.plan.passes[index].variant.pass->name == temporalPass;
-    const TaaTuning tuning = frame.input.tuning.value_or(recorder.tuning);
-    auto pass = temporal ? preparePass(recorder, index, arena, frame.input,
-                                       temporalParameters(frame.input, tuning, frame.extent, frame.historyFrames,
-                                                          recorder.needs.engineWritesMotion))
-                         : preparePass(recorder, index, arena, frame.input,
-                                       cameraParameters(frame.input, frame.previous, frame.extent,
-                                                        recorder.needs.linearDepth));
+    auto pass = prepareFullscreen(recorder, index, arena, frame);
     if (!pass) return pass.error();
     prepared.pass = std::move(*pass);
     return prepared;
@@ -389,14 +403,18 @@ void emitStep(const Recorder& recorder, size_t index, VkCommandBuffer commands, 
 
 FrameOutput outputOf(const Recorder& recorder, const FrameInput& input, std::string_view reason) {
     FrameOutput output;
+    const PlannedPass& last = recorder.plan.passes.back();
     // In table order the last output of the last pass is the one to show.
-    output.colour = refOf(recorder, writePlace(recorder, recorder.plan.passes.back().writeImages.back()));
-    const auto motion = std::ranges::find(recorder.plan.images, velocityImage, &PlannedImage::name);
-    if (motion != recorder.plan.images.end())
-        output.motion =
-            recorder.images.images[static_cast<size_t>(motion - recorder.plan.images.begin())][0].ref;
-    else
-        output.motion = input.motion;
+    if (last.variant.pass->name == temporalPass)
+        output.colour = refOf(recorder, writePlace(recorder, last.writeImages.back()));
+    const auto owned = [&](std::string_view name) -> std::optional<ImageRef> {
+        const auto found = std::ranges::find(recorder.plan.images, name, &PlannedImage::name);
+        if (found == recorder.plan.images.end()) return {};
+        return recorder.images.images[static_cast<size_t>(found - recorder.plan.images.begin())][0].ref;
+    };
+    output.motion = owned(velocityImage);
+    if (!output.motion) output.motion = input.motion;
+    output.lighting = owned(lightingImage);
     output.historyWasReset = !reason.empty();
     output.resetReason = reason;
     return output;

@@ -24,7 +24,117 @@ glm::dvec4 sizeOf(VkExtent2D extent) {
     return {extent.width, extent.height, 1.0 / extent.width, 1.0 / extent.height};
 }
 
+VkExtent2D coarseExtent(const CacheFrame& frame) {
+    return {(frame.extent.width + frame.ratio - 1) / frame.ratio,
+            (frame.extent.height + frame.ratio - 1) / frame.ratio};
+}
+
+// UV over the frame to UV over the coarse image, whose last texels reach beyond a frame of odd size.
+glm::dvec2 frameToCoarse(const CacheFrame& frame) {
+    const VkExtent2D coarse = coarseExtent(frame);
+    return glm::dvec2(frame.extent.width, frame.extent.height) /
+           (double(frame.ratio) * glm::dvec2(coarse.width, coarse.height));
+}
+
+glm::dvec4 coarseViewRay(const FrameInput& input, const CacheFrame& frame) {
+    const glm::dvec4 ray = viewRay(input.camera.viewToClip);
+    const glm::dvec2 extent = glm::dvec2(ray) / frameToCoarse(frame);
+    return {extent, ray.z, ray.w};
+}
+
+// As in hlsl/reprise/depth.hlsli.
+constexpr double skyDepth = 65504.0;
+
+// A little less than the far plane, where what a far plane has cut off lies.
+double skyFrom(const FrameInput& input, const CacheFrame& frame) {
+    const glm::dvec2 c = linearDepthCoefficients(input.camera.viewToClip);
+    const double affine = (frame.reversedDepth ? 0.0 : 1.0) * c.x + c.y;
+    const double farPlane = isOrthographic(input.camera.viewToClip) ? affine : 1.0 / affine;
+    return farPlane > 0.0 && farPlane < skyDepth ? 0.9999 * farPlane : skyDepth;
+}
+
+DepthDownsampleParameters downsampleParameters(const FrameInput& input, const CacheFrame& frame) {
+    DepthDownsampleParameters p{};
+    store(p.gInputSize, sizeOf(frame.extent));
+    store(p.gOutputSize, sizeOf(coarseExtent(frame)));
+    store(p.gLinearDepth, linearDepthCoefficients(input.camera.viewToClip));
+    p.gSkyDepth = static_cast<float>(skyFrom(input, frame));
+    return p;
+}
+
+// Whole and small: the patterns repeat after `subsets` frames, and so may the count.
+float patternFrame(const FrameInput& input) {
+    return static_cast<float>(input.frameIndex % std::max(1u, input.cache.subsets));
+}
+
+AmbientOcclusionParameters occlusionParameters(const FrameInput& input, const CacheFrame& frame) {
+    AmbientOcclusionParameters p{};
+    store(p.gOutputSize, sizeOf(coarseExtent(frame)));
+    store(p.gViewRay, coarseViewRay(input, frame));
+    p.gRadius = input.cache.radius;
+    p.gFrameIndex = patternFrame(input);
+    p.gSubsetCount = static_cast<float>(input.cache.subsets);
+    store(p.gBias, input.cache.bias);
+    return p;
+}
+
+ReprojectionCacheParameters historyParameters(const FrameInput& input, const CacheFrame& frame) {
+    const CacheTuning& tuning = input.cache;
+    const glm::dmat4& before = frame.previous.viewToClip;
+    ReprojectionCacheParameters p{};
+    store(p.gViewToPreviousClip, glm::mat4(viewToPreviousClip(input.camera, frame.previous)));
+    store(p.gOutputSize, sizeOf(coarseExtent(frame)));
+    store(p.gViewRay, coarseViewRay(input, frame));
+    store(p.gFrameToCoarse, frameToCoarse(frame));
+    store(p.gMotionToUv, frame.engineMotion && input.tuning ? input.tuning->motionToUv : glm::vec2(1.0f));
+    store(p.gClipToDepth, isOrthographic(before) ? linearDepthCoefficients(before) : glm::dvec2(0.0, 1.0));
+    store(p.gMissThreshold, tuning.missThreshold);
+    p.gConvergenceTime = tuning.convergenceTime;
+    p.gMaxWeight = tuning.maxWeight;
+    store(p.gSpeedPx, tuning.speedPx);
+    p.gHistoryValid = frame.historyValid ? 1.0f : 0.0f;
+    store(p.gChange, tuning.change);
+    return p;
+}
+
+BilateralFilterParameters filterParameters(std::string_view run, const FrameInput& input,
+                                           const CacheFrame& frame) {
+    const CacheTuning& tuning = input.cache;
+    BilateralFilterParameters p{};
+    store(p.gOutputSize, sizeOf(coarseExtent(frame)));
+    store(p.gDirection,
+          tuning.filterStep * (run == "across" ? glm::vec2(1.0f, 0.0f) : glm::vec2(0.0f, 1.0f)));
+    store(p.gDepthAmplitude, tuning.depthAmplitude);
+    p.gConverged = tuning.converged;
+    p.gMaxSmoothing = tuning.maxSmoothing;
+    return p;
+}
+
+BilateralUpsampleParameters upsampleParameters(const FrameInput& input, const CacheFrame& frame) {
+    BilateralUpsampleParameters p{};
+    store(p.gOutputSize, sizeOf(frame.extent));
+    store(p.gCoarseSize, sizeOf(coarseExtent(frame)));
+    store(p.gLinearDepth, linearDepthCoefficients(input.camera.viewToClip));
+    p.gSkyDepth = static_cast<float>(skyFrom(input, frame));
+    p.gContrast = input.cache.normalContrast;
+    return p;
+}
+
+template <class Parameters> std::vector<std::byte> bytesOf(const Parameters& parameters) {
+    const auto bytes = std::as_bytes(std::span(&parameters, 1));
+    return {bytes.begin(), bytes.end()};
+}
+
 } // namespace
+
+std::vector<std::byte> cacheParameters(std::string_view pass, std::string_view run, const FrameInput& input,
+                                       const CacheFrame& frame) {
+    if (pass == "depth_downsample") return bytesOf(downsampleParameters(input, frame));
+    if (pass == "ambient_occlusion") return bytesOf(occlusionParameters(input, frame));
+    if (pass == "reprojection_cache") return bytesOf(historyParameters(input, frame));
+    if (pass == "bilateral_filter") return bytesOf(filterParameters(run, input, frame));
+    return bytesOf(upsampleParameters(input, frame));
+}
 
 CameraVelocityParameters cameraParameters(const FrameInput& input, const CameraFrame& previous,
                                           VkExtent2D extent, bool linearDepth) {

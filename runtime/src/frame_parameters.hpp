@@ -16,4 +16,15 @@ ObjectVelocityParameters objectParameters(const ObjectDraw& object, const FrameI
 TemporalAaParameters temporalParameters(const FrameInput& input, const TaaTuning& tuning, VkExtent2D extent,
                                         uint64_t historyFrames, bool engineMotion);
 
+// What the framework's passes are filled from, beside the frame's input.
+struct CacheFrame {
+    CameraFrame previous;
+    VkExtent2D extent{}; // of the frame
+    uint32_t ratio = 2;
+    bool historyValid = false, reversedDepth = false, linearDepth = false, engineMotion = false;
+};
+// The uniform buffer of a framework's pass, by its name; run: "across" or "down" of bilateral_filter.
+std::vector<std::byte> cacheParameters(std::string_view pass, std::string_view run, const FrameInput& input,
+                                       const CacheFrame& frame);
+
 } // namespace reprise

@@ -3,8 +3,8 @@
 #include "reprise/pack.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cctype>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -20,13 +20,17 @@ template <class Range> std::string listNames(const Range& items) {
     std::string text;
     for (const auto& item : items) {
         if (!text.empty()) text += ", ";
-        if constexpr (requires { item.name; }) text += item.name;
-        else text += item;
+        if constexpr (requires { item.name; })
+            text += item.name;
+        else
+            text += item;
     }
     return text.empty() ? "none" : text;
 }
 
-Error invalid(std::string message) { return {ErrorCode::invalidArgument, std::move(message)}; }
+Error invalid(std::string message) {
+    return {ErrorCode::invalidArgument, std::move(message)};
+}
 
 std::string lower(std::string_view text) {
     std::string result(text);
@@ -48,7 +52,8 @@ Result<std::vector<uint32_t>> readWords(const std::filesystem::path& file) {
     std::vector<uint32_t> words(bytes.size() / 4);
     std::memcpy(words.data(), bytes.data(), bytes.size());
     if (words[0] != spirvMagic)
-        return Error{ErrorCode::fileError, file.string() + " does not begin as SPIR-V does; generate it again"};
+        return Error{ErrorCode::fileError,
+                     file.string() + " does not begin as SPIR-V does; generate it again"};
     return words;
 }
 
@@ -59,7 +64,8 @@ Result<Variant> makeVariant(std::span<const PassInfo> passes, std::string_view p
     if (pass == passes.end())
         return invalid("there is no pass \"" + std::string(passName) + "\"; there are: " + listNames(passes));
     Variant variant{&*pass, {}};
-    for (const SwitchInfo& info : pass->switches) variant.values.push_back(info.defaultValue);
+    for (const SwitchInfo& info : pass->switches)
+        variant.values.push_back(info.defaultValue);
     return variant;
 }
 
@@ -92,7 +98,8 @@ std::string_view switchValue(const Variant& variant, std::string_view switchName
 
 bool exists(const Variant& variant, const ImageInfo& image) {
     return std::ranges::all_of(image.when, [&](const Condition& condition) {
-        return switchValue(variant, condition.switchName) == condition.value;
+        const bool other = condition.value.starts_with('!');
+        return (switchValue(variant, condition.switchName) == condition.value.substr(other ? 1 : 0)) != other;
     });
 }
 
@@ -120,7 +127,8 @@ Variant forStage(const Variant& variant, Stage stage) {
     if (!variant.pass) return result;
     for (size_t i = 0; i < variant.pass->switches.size(); ++i) {
         const SwitchInfo& info = variant.pass->switches[i];
-        const bool effective = info.stages.empty() || std::ranges::find(info.stages, stage) != info.stages.end();
+        const bool effective =
+            info.stages.empty() || std::ranges::find(info.stages, stage) != info.stages.end();
         result.values.push_back(effective ? valueAt(variant, i) : info.defaultValue);
     }
     return result;
@@ -128,9 +136,12 @@ Variant forStage(const Variant& variant, Stage stage) {
 
 std::string_view stageName(Stage stage) {
     switch (stage) {
-    case Stage::vertex: return "vert";
-    case Stage::fragment: return "frag";
-    case Stage::compute: return "comp";
+    case Stage::vertex:
+        return "vert";
+    case Stage::fragment:
+        return "frag";
+    case Stage::compute:
+        return "comp";
     }
     return "unknown";
 }
@@ -147,9 +158,9 @@ SpirvSource spirvFromDirectory(std::string directory) {
         std::error_code ignored;
         for (const auto& file : {root / name, root / std::string(variant.pass->name) / name})
             if (std::filesystem::is_regular_file(file, ignored)) return readWords(file);
-        return Error{ErrorCode::missingVariant,
-                     "there is no " + name + " in " + root.string() +
-                         "; compile it with reprisec --variant " + variantName(variant)};
+        return Error{ErrorCode::missingVariant, "there is no " + name + " in " + root.string() +
+                                                    "; compile it with reprisec --variant " +
+                                                    variantName(variant)};
     };
 }
 

@@ -103,8 +103,15 @@ Result<void> checkExtents(const Variant& variant, std::span<const ImageInfo> inf
         const ImageRef* image = findImage(images, info->name);
         if (image == nullptr) continue; // a buffer, or not used by the module
         const double scale = scaleOf(variant, *info);
-        if (!fits(image->extent.width, scale, extent.width, outputScale) ||
-            !fits(image->extent.height, scale, extent.height, outputScale))
+        if (scale == 0.0) continue; // an extent of its own
+        const auto agree = [&](double coarse) {
+            const double own = scale < 1.0 ? coarse : scale, first = outputScale < 1.0 ? coarse : outputScale;
+            return fits(image->extent.width, own, extent.width, first) &&
+                   fits(image->extent.height, own, extent.height, first);
+        };
+        // A pass that need not know its ratio takes any.
+        const bool knows = !switchValue(variant, "RATIO").empty();
+        if (!agree(std::min(scale, outputScale)) && (knows || !agree(0.25)))
             return extentsDiffer(variant.pass->name, info->name, image->extent, extent);
     }
     return {};
@@ -139,7 +146,8 @@ Result<PreparedPass> prepareTargets(const Variant& variant, Stage stage, std::sp
         return Error{ErrorCode::invalidArgument, "The pass " + std::string(pass.name) + " has no output."};
     const NamedImage first{outputs.front()->name, *findImage(images, outputs.front()->name)};
     for (const auto infos : {pass.inputs, pass.outputs})
-        if (auto checked = checkExtents(variant, infos, first, scaleOf(variant, *outputs.front()), images); !checked)
+        if (auto checked = checkExtents(variant, infos, first, scaleOf(variant, *outputs.front()), images);
+            !checked)
             return checked.error();
     return prepared;
 }

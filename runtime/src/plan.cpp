@@ -15,8 +15,14 @@ struct Candidate {
     std::string_view veto;
 };
 
-std::string_view vetoOf(const PassInfo& pass, const SceneNeeds& needs) {
+std::string_view vetoOf(const PassInfo& pass, const SceneNeeds& needs, const Settings& settings) {
     if (pass.name == temporalPass && !needs.antiAliasing) return "Anti-aliasing is not asked for.";
+    if (pass.name == upsamplePass && !cachesAnything(needs))
+        return "Neither occlusion nor shadows nor a value of the engine's is asked for.";
+    if (pass.name == "ambient_occlusion" && !needs.ambientOcclusion)
+        return "Ambient occlusion is not asked for.";
+    if (pass.name == "sun_shadow" && !needs.sunShadows) return "Sun shadows are not asked for.";
+    if (pass.name == filterPass && !settings.cache.filter) return "CacheSettings::filter is off.";
     const bool camera = pass.name == "camera_velocity", object = pass.name == "object_velocity";
     if ((camera || object) && needs.engineWritesMotion) return "The engine writes motion vectors itself.";
     if (camera && !needs.cameraMoves)
@@ -32,10 +38,10 @@ Stage stageOf(const PassInfo& pass, Stage wanted) {
 }
 
 void addCandidate(std::vector<Candidate>& candidates, const Variant& variant, Stage stage,
-                  std::string_view veto) {
+                  std::string_view veto, std::string_view run = {}) {
     // A switch of another stage changes nothing in a full-screen pass; a drawn pass has both stages.
     Candidate candidate{
-        {variant.pass->fullscreen ? forStage(variant, stage) : variant, stage, {}, {}, {}, {}}, veto};
+        {variant.pass->fullscreen ? forStage(variant, stage) : variant, stage, run, {}, {}, {}, {}}, veto};
     for (const ImageInfo& input : variant.pass->inputs)
         if (exists(variant, input)) candidate.pass.reads.emplace_back(input.name);
     for (const ImageInfo& output : variant.pass->outputs)
@@ -44,7 +50,7 @@ void addCandidate(std::vector<Candidate>& candidates, const Variant& variant, St
 }
 
 // Every pass of the table in its order; object_velocity twice when there are skinned meshes beside rigid
-// ones.
+// ones, and the filter in both directions.
 Result<std::vector<Candidate>> candidatesFor(std::span<const PassInfo> passes,
                                              std::span<const PresetInfo> presets, const SceneNeeds& needs,
                                              const Settings& settings, std::vector<Dropped>& dropped) {
@@ -54,7 +60,12 @@ Result<std::vector<Candidate>> candidatesFor(std::span<const PassInfo> passes,
         auto variant = chooseVariant(pass, presets, needs, settings, dropped);
         if (!variant) return variant.error();
         const Stage stage = stageOf(pass, settings.stage);
-        const std::string_view veto = vetoOf(pass, needs);
+        const std::string_view veto = vetoOf(pass, needs, settings);
+        if (pass.name == filterPass) {
+            addCandidate(candidates, *variant, stage, veto, "across");
+            addCandidate(candidates, *variant, stage, veto, "down");
+            continue;
+        }
         addCandidate(candidates, *variant, stage, veto);
         if (!needs.skinnedMeshes || !veto.empty() || !setSwitch(*variant, "SKINNING", "on")) continue;
         addCandidate(candidates, *variant, stage, veto);
@@ -68,14 +79,15 @@ void want(std::vector<std::string>& wanted, std::string name) {
 
 bool wantsAny(const std::vector<std::string>& wanted, const PlannedPass& pass) {
     return std::ranges::any_of(pass.writes, [&](const std::string& name) {
-        return std::ranges::find(wanted, name) != wanted.end();
+        return std::ranges::find(wanted, imageName(pass, name)) != wanted.end();
     });
 }
 
 void wantInputs(std::vector<std::string>& wanted, const Variant& variant) {
     for (const ImageInfo& input : variant.pass->inputs)
         if (exists(variant, input) && isImage(input) && !isHistory(input))
-            want(wanted, writtenName(input.name));
+            for (const std::string& source : sourcesOf(input.sameAs.empty() ? input.name : input.sameAs))
+                want(wanted, source);
 }
 
 // A pass that is left out has no switches worth a word, and is named once.
@@ -86,12 +98,13 @@ void drop(FramePlan& plan, std::string_view pass, std::string reason) {
     plan.dropped.push_back({std::string(pass), std::move(reason)});
 }
 
-// Walks back from the anti-aliased frame.
+// Walks back from the anti-aliased frame and from the framework's last step.
 void choosePasses(std::vector<Candidate> candidates, FramePlan& plan) {
     std::vector<std::string> wanted;
     for (auto candidate = candidates.rbegin(); candidate != candidates.rend(); ++candidate) {
         const std::string_view name = candidate->pass.variant.pass->name;
-        const bool needed = name == temporalPass || wantsAny(wanted, candidate->pass);
+        const bool root = name == temporalPass || name == upsamplePass;
+        const bool needed = root || wantsAny(wanted, candidate->pass);
         if (!candidate->veto.empty()) {
             drop(plan, name, std::string(candidate->veto));
         } else if (!needed) {
@@ -101,6 +114,17 @@ void choosePasses(std::vector<Candidate> candidates, FramePlan& plan) {
             plan.passes.insert(plan.passes.begin(), std::move(candidate->pass));
         }
     }
+}
+
+Result<void> checkCache(const SceneNeeds& needs, const CacheSettings& cache) {
+    if (cache.ratio != 2 && cache.ratio != 4)
+        return Error{ErrorCode::invalidArgument,
+                     "CacheSettings::ratio is 2 or 4, not " + std::to_string(cache.ratio) + "."};
+    if (needs.cachedValue && (needs.ambientOcclusion || needs.sunShadows))
+        return Error{ErrorCode::invalidArgument,
+                     "A cache holds occlusion and shadows or a value of the engine's; make a plan and a "
+                     "recorder for each."};
+    return {};
 }
 
 Result<void> checkSettings(const Settings& settings, Extent extent) {
@@ -121,7 +145,9 @@ Result<FramePlan> plan(std::span<const PassInfo> passes, std::span<const PresetI
                        const SceneNeeds& needs, const Settings& settings, Extent extent) {
     return guarded([&]() -> Result<FramePlan> {
         if (auto checked = checkSettings(settings, extent); !checked) return checked.error();
+        if (auto checked = checkCache(needs, settings.cache); !checked) return checked.error();
         FramePlan plan;
+        plan.cache = settings.cache;
         auto candidates = candidatesFor(passes, presets, needs, settings, plan.dropped);
         if (!candidates) return candidates.error();
         choosePasses(std::move(*candidates), plan);

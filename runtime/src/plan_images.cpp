@@ -27,15 +27,19 @@ PlannedImage& at(FramePlan& plan, int image) {
     return plan.images[static_cast<size_t>(image)];
 }
 
-uint32_t scaled(uint32_t texels, float scale) {
-    return std::max(1u, static_cast<uint32_t>(std::ceil(static_cast<float>(texels) * scale)));
+uint32_t scaled(uint32_t texels, double scale) {
+    return static_cast<uint32_t>(std::ceil(texels * scale));
 }
 
+// Coarse images follow the plan's ratio, in passes too that need not know it. A scale of 0 is an extent of
+// the image's own.
 int add(const Layout& layout, const ImageInfo& info, std::string name, std::string_view format, int pass) {
+    const double scale =
+        info.scale > 0.0f && info.scale < 1.0f ? 1.0 / layout.plan.cache.ratio : double(info.scale);
     PlannedImage image;
     image.name = std::move(name);
     image.format = format;
-    image.extent = {scaled(layout.extent.width, info.scale), scaled(layout.extent.height, info.scale)};
+    image.extent = {scaled(layout.extent.width, scale), scaled(layout.extent.height, scale)};
     image.firstPass = image.lastPass = pass;
     image.bytes = uint64_t(texelBytes(format)) * image.extent.width * image.extent.height;
     layout.plan.images.push_back(std::move(image));
@@ -44,12 +48,14 @@ int add(const Layout& layout, const ImageInfo& info, std::string name, std::stri
 
 // What an earlier pass wrote, or else the engine's. Motion that neither gives is zero everywhere.
 int addInput(const Layout& layout, const ImageInfo& input, int pass) {
-    const std::string written = writtenName(input.name);
-    int image = find(layout.plan, written);
-    if (image < 0) image = find(layout.plan, input.sameAs.empty() ? input.name : input.sameAs);
+    const std::string_view name = input.sameAs.empty() ? input.name : input.sameAs;
+    int image = -1;
+    for (const std::string& source : sourcesOf(name))
+        if (image < 0) image = find(layout.plan, source);
+    if (image < 0) image = find(layout.plan, name);
     if (image < 0) {
-        const bool zero = written == velocityImage && !layout.engineWritesMotion;
-        image = add(layout, input, zero ? written : std::string(input.name), input.format, pass);
+        const bool zero = sourcesOf(name).front() == velocityImage && !layout.engineWritesMotion;
+        image = add(layout, input, std::string(zero ? velocityImage : name), input.format, pass);
         at(layout.plan, image).external = !zero;
         at(layout.plan, image).cleared = zero;
     }
@@ -57,25 +63,20 @@ int addInput(const Layout& layout, const ImageInfo& input, int pass) {
     return image;
 }
 
-int addOutput(const Layout& layout, const PassInfo& pass, const ImageInfo& output, int index) {
-    int image = find(layout.plan, output.name);
+int addOutput(const Layout& layout, const PlannedPass& pass, const ImageInfo& output, int index) {
+    const PassInfo& info = *pass.variant.pass;
+    const std::string name = imageName(pass, output.name);
+    int image = find(layout.plan, name);
     if (image < 0) {
-        const bool chosen = pass.name == temporalPass && !layout.colourFormat.empty();
-        image = add(layout, output, std::string(output.name), chosen ? layout.colourFormat : output.format,
-                    index);
-        at(layout.plan, image).cleared = !pass.fullscreen;
+        const bool chosen = info.name == temporalPass && !layout.colourFormat.empty();
+        image = add(layout, output, name, chosen ? layout.colourFormat : output.format, index);
+        at(layout.plan, image).cleared = !info.fullscreen;
     }
     at(layout.plan, image).lastPass = index; // drawn over, if it was there before
     return image;
 }
 
-int keepHistory(FramePlan& plan, std::string_view output) {
-    const int image = find(plan, output);
-    if (image >= 0) at(plan, image).history = true;
-    return image;
-}
-
-// Inputs come first, and history last: it is an output of the same pass.
+// Inputs come first; history later, because it is an output of the same pass or of one after it.
 void addPass(const Layout& layout, int index) {
     PlannedPass& pass = layout.plan.passes[static_cast<size_t>(index)];
     const PassInfo& info = *pass.variant.pass;
@@ -88,19 +89,30 @@ void addPass(const Layout& layout, int index) {
         ++read;
     }
     for (const ImageInfo& output : info.outputs)
-        if (exists(pass.variant, output)) pass.writeImages.push_back(addOutput(layout, info, output, index));
-    read = 0;
-    for (const ImageInfo& input : info.inputs) {
+        if (exists(pass.variant, output)) pass.writeImages.push_back(addOutput(layout, pass, output, index));
+}
+
+// The history of the cache is what the filter made of it, where the plan filters over time.
+void addHistory(FramePlan& plan, PlannedPass& pass) {
+    size_t read = 0;
+    for (const ImageInfo& input : pass.variant.pass->inputs) {
         if (!exists(pass.variant, input)) continue;
-        if (isHistory(input)) pass.readImages[read] = keepHistory(layout.plan, input.history);
+        if (isHistory(input)) {
+            const bool filtered = plan.cache.filtersHistory && input.history == "gOutCache";
+            int image = filtered ? find(plan, "gOutFiltered") : -1;
+            if (image < 0) image = find(plan, input.history);
+            if (image >= 0) at(plan, image).history = true;
+            pass.readImages[read] = image;
+        }
         ++read;
     }
 }
 
-// The engine may read motion after the frame is recorded.
-void keepMotion(FramePlan& plan) {
-    if (const int image = find(plan, velocityImage); image >= 0)
-        at(plan, image).lastPass = static_cast<int>(plan.passes.size()) - 1;
+// The engine may read these after the frame is recorded.
+void keepOutputs(FramePlan& plan) {
+    for (const std::string_view name : {velocityImage, lightingImage})
+        if (const int image = find(plan, name); image >= 0)
+            at(plan, image).lastPass = static_cast<int>(plan.passes.size()) - 1;
 }
 
 } // namespace
@@ -112,8 +124,17 @@ bool isImage(const ImageInfo& info) {
     return !info.format.empty();
 }
 
-std::string writtenName(std::string_view input) {
-    return std::string(outPrefix) + std::string(input.substr(inPrefix.size()));
+std::vector<std::string> sourcesOf(std::string_view input) {
+    if (input == "gInFresh") return {"gOutShadow", "gOutOcclusion"};
+    if (input == "gInCache") return {"gOutFilteredAcross", "gOutCache"};
+    if (input == "gInFiltered") return {"gOutFiltered", "gOutCache"};
+    if (input == "gInLighting") return {std::string(lightingImage)};
+    if (input == "gInColour") return {"gOutLit"};
+    return {std::string(outPrefix) + std::string(input.substr(inPrefix.size()))};
+}
+
+std::string imageName(const PlannedPass& pass, std::string_view output) {
+    return std::string(output) + (pass.run == "across" ? "Across" : "");
 }
 
 void planImages(FramePlan& plan, bool engineWritesMotion, std::string_view colourFormat, Extent extent) {
@@ -121,7 +142,9 @@ void planImages(FramePlan& plan, bool engineWritesMotion, std::string_view colou
     const Layout layout{plan, engineWritesMotion, colourFormat, extent};
     for (int pass = 0; pass < static_cast<int>(plan.passes.size()); ++pass)
         addPass(layout, pass);
-    keepMotion(plan);
+    for (PlannedPass& pass : plan.passes)
+        addHistory(plan, pass);
+    keepOutputs(plan);
     shareMemory(plan);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The images of a plan whose passes are chosen.
+// The images of a plan whose passes are chosen, and which image is which pass's input.
 #pragma once
 
 #include "reprise/plan.hpp"
@@ -7,11 +7,17 @@
 namespace reprise {
 
 inline constexpr std::string_view temporalPass = "temporal_aa", velocityImage = "gOutVelocity";
+// The last step of the framework and what it writes, at the frame's extent.
+inline constexpr std::string_view upsamplePass = "bilateral_upsample", lightingImage = "gOutUpsampled";
+inline constexpr std::string_view filterPass = "bilateral_filter";
 
 bool isHistory(const ImageInfo& input);
 bool isImage(const ImageInfo& info); // else a buffer
-// gInVelocity is what gOutVelocity wrote.
-std::string writtenName(std::string_view input);
+// The images that an input may be, the first that an earlier pass wrote: gInVelocity is what gOutVelocity
+// wrote; the framework's steps read what the step before wrote, whichever that is.
+std::vector<std::string> sourcesOf(std::string_view input);
+// Image that a pass writes as this output: the two runs of the filter write two.
+std::string imageName(const PlannedPass& pass, std::string_view output);
 
 // Makes plan.images anew, with lifetimes and memory, for this extent.
 void planImages(FramePlan& plan, bool engineWritesMotion, std::string_view colourFormat, Extent extent);

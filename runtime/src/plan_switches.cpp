@@ -51,6 +51,57 @@ Result<void> applyPreset(Variant& variant, std::span<const PresetInfo> presets, 
     return {};
 }
 
+struct Choice {
+    std::string_view switchName;
+    std::string value;
+    std::string_view reason; // why it is less than it could be; may be empty
+};
+
+// Switches of the framework's passes that the needs and the settings name the value of.
+std::vector<Choice> choicesFor(const SceneNeeds& needs, const CacheSettings& cache) {
+    std::vector<Choice> choices{
+        {"RATIO", std::to_string(cache.ratio), {}},
+        {"SAMPLES", std::to_string(cache.samples), {}},
+        {"CHANGE_DETECTION", cache.detectsChanges && cache.history ? "on" : "off", {}}};
+    if (needs.ambientOcclusion && needs.sunShadows)
+        choices.push_back({"VALUES", std::string(cache.packing), {}});
+    if (!cache.history)
+        choices.push_back({"HISTORY", "none", "CacheSettings::history is off."});
+    else if (needs.objectsMove)
+        choices.push_back({"HISTORY", "motion", {}});
+    else if (needs.cameraMoves)
+        choices.push_back({"HISTORY", "camera", "No object moves: history is found from depth alone."});
+    else
+        choices.push_back(
+            {"HISTORY", "still", "Neither the camera nor an object moves: history lies where it was."});
+    return choices;
+}
+
+Result<void> applyChoices(Variant& variant, const SceneNeeds& needs, const CacheSettings& cache,
+                          std::vector<Dropped>& dropped) {
+    for (const Choice& choice : choicesFor(needs, cache)) {
+        if (!hasSwitch(*variant.pass, choice.switchName)) continue;
+        if (auto set = setSwitch(variant, choice.switchName, choice.value); !set) return set;
+        if (!choice.reason.empty())
+            dropped.push_back({std::string(variant.pass->name) + ": " + std::string(choice.switchName),
+                               std::string(choice.reason)});
+    }
+    return {};
+}
+
+// Those of this pass: of temporal_aa without its name.
+Result<void> applyOverrides(Variant& variant, std::span<const Condition> overrides) {
+    for (const Condition& condition : overrides) {
+        const size_t dot = condition.switchName.find('.');
+        const bool named = dot != std::string_view::npos;
+        const std::string_view pass = named ? condition.switchName.substr(0, dot) : temporalPass;
+        if (pass != variant.pass->name) continue;
+        const std::string_view name = named ? condition.switchName.substr(dot + 1) : condition.switchName;
+        if (auto set = setSwitch(variant, name, condition.value); !set) return set;
+    }
+    return {};
+}
+
 Result<void> turnOff(Variant& variant, std::string_view name, std::string_view reason,
                      std::vector<Dropped>& dropped) {
     if (!hasSwitch(*variant.pass, name) || switchValue(variant, name) == "off") return {};
@@ -70,6 +121,10 @@ Result<void> applyNeeds(Variant& variant, const SceneNeeds& needs, std::vector<D
 
 } // namespace
 
+bool cachesAnything(const SceneNeeds& needs) {
+    return needs.ambientOcclusion || needs.sunShadows || needs.cachedValue;
+}
+
 bool anythingMoves(const SceneNeeds& needs) {
     return needs.cameraMoves || needs.objectsMove;
 }
@@ -83,10 +138,8 @@ Result<Variant> chooseVariant(const PassInfo& pass, std::span<const PresetInfo> 
     if (temporal)
         if (auto set = applyPreset(*variant, presets, settings.preset); !set) return set.error();
     if (auto set = applyNeeds(*variant, needs, dropped); !set) return set.error();
-    if (temporal)
-        for (const Condition& condition : settings.overrides)
-            if (auto set = setSwitch(*variant, condition.switchName, condition.value); !set)
-                return set.error();
+    if (auto set = applyChoices(*variant, needs, settings.cache, dropped); !set) return set.error();
+    if (auto set = applyOverrides(*variant, settings.overrides); !set) return set.error();
     if (settings.stage == Stage::compute && !settings.quadOperations) {
         const auto set =
             turnOff(*variant, "QUAD_SHARING",

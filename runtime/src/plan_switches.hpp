@@ -6,12 +6,12 @@
 
 namespace reprise {
 
-// Preset, then needs, then overrides for temporal_aa; needs alone for every other pass. What the needs
-// switched off is added to `dropped`.
+// Preset, then needs, then overrides. What the needs switched off is added to `dropped`.
 Result<Variant> chooseVariant(const PassInfo& pass, std::span<const PresetInfo> presets,
                               const SceneNeeds& needs, const Settings& settings,
                               std::vector<Dropped>& dropped);
 
 bool anythingMoves(const SceneNeeds& needs);
+bool cachesAnything(const SceneNeeds& needs);
 
 } // namespace reprise

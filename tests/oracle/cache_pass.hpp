@@ -14,11 +14,14 @@ namespace oracle {
 struct CachePass {
     enum class Values { one, occlusionInInteger, shadowInInteger };
     Values values = Values::one;
-    bool motion = false, bilinear = true;
+    enum class History { camera, motion, still, none };
+    History where = History::camera;
+    bool bilinear = true, detectsChange = false;
     Camera current, previous;
     ivec2 frameExtent{1}; // of the whole frame
     int ratio = 2;
     dvec2 motionToUv{1.0}, missThreshold{0.1, 0.01}, speedPx{8.0, 32.0};
+    dvec2 change{1.2, 0.1}; // deviations, and a difference, that history may differ by
     double convergenceTime = 2.0, maxWeight = 0.9, historyValid = 1.0;
     const Image* fresh = nullptr;
     const Image* velocity = nullptr; // at the frame's extent
@@ -69,13 +72,17 @@ inline CachePoint cachePoint(const CachePass& pass, ivec2 texel, double depth) {
     CachePoint point;
     dvec2 previousUv = reprojectLinearDepth(uv, depth, pass.current, pass.previous);
     point.depth = previousLinearDepth(uv, depth, pass.current, pass.previous);
-    if (pass.motion) {
+    if (pass.where == CachePass::History::motion) {
         const ivec2 from(glm::floor(framePx - double(pass.ratio) / 8.0));
         const dvec2 motion = dvec2(texelClamped(*pass.velocity, from.x, from.y)) * pass.motionToUv;
         previousUv = uv - motion;
         if (!glm::all(glm::lessThanEqual(glm::abs(previousUv), dvec2(8.0)))) previousUv = behindCameraUv;
     }
     point.texel = previousUv * dvec2(pass.frameExtent) / double(pass.ratio);
+    if (pass.where == CachePass::History::still) {
+        point.texel = dvec2(texel) + 0.5;
+        point.depth = depth;
+    }
     point.travelled = dvec2(texel) + 0.5 - point.texel;
     point.inside = isInsideUv(point.texel / pass.history->extent());
     return point;
@@ -117,6 +124,26 @@ inline CacheRead readCache(const CachePass& pass, dvec2 texel) {
     return sum;
 }
 
+// Values of the 4x4 fresh texels from one before to two behind: the part of the history's distance to their
+// mean that is beyond what they scatter.
+inline double likeness(const CachePass& pass, ivec2 texel, dvec2 values) {
+    const auto each = [&](auto&& take) {
+        for (int i = 0; i < 16; ++i) {
+            const double channel = texelClamped(*pass.fresh, texel.x - 1 + i % 4, texel.y - 1 + i / 4).x;
+            take(unpackedValues(pass, isNumber(channel, 65504.0) ? channel : 0.0));
+        }
+    };
+    dvec2 mean(0.0), variance(0.0);
+    each([&](dvec2 value) { mean += value / 16.0; });
+    each([&](dvec2 value) { variance += (value - mean) * (value - mean) / 16.0; });
+    double least = 1.0;
+    for (int i = 0; i < 2; ++i) {
+        const double allowed = std::max(pass.change.x * std::sqrt(variance[i]) + pass.change.y, 1e-4);
+        least = std::min(least, std::clamp(2.0 - std::abs(values[i] - mean[i]) / allowed, 0.0, 1.0));
+    }
+    return least;
+}
+
 struct CacheTexel {
     double packed = 0.0, frames = 1.0, depth = 0.0;
     dvec2 values{0.0}; // before they were packed
@@ -131,7 +158,13 @@ inline CacheTexel cacheTexel(const CachePass& pass, int x, int y, dvec2 away = d
     dvec2 current = unpackedValues(pass, fresh.x);
     if (!isCacheable(current)) current = dvec2(0.0);
 
+    if (pass.where == CachePass::History::none) {
+        result.values = current;
+        result.packed = packedValues(pass, current);
+        return result;
+    }
     CachePoint point = cachePoint(pass, {x, y}, result.depth);
+    if (pass.where == CachePass::History::still) away = dvec2(0.0), awayDepth = 0.0;
     point.texel += away;
     const CacheRead history = readCache(pass, point.texel);
     const double threshold = pass.missThreshold.x + pass.missThreshold.y * result.depth;
@@ -140,6 +173,7 @@ inline CacheTexel cacheTexel(const CachePass& pass, int x, int y, dvec2 away = d
         const double difference = std::abs(point.depth + awayDepth - history.depth);
         confidence = std::clamp((1.0 - difference / threshold) * pass.convergenceTime, 0.0, 1.0);
     }
+    if (pass.detectsChange && confidence > 0.0) confidence *= likeness(pass, {x, y}, history.values);
     const double moving =
         velocityWeight(glm::length(point.travelled - away), pass.maxWeight, pass.speedPx.x, pass.speedPx.y);
     const double kept = held(history.frames, 0.0, 255.0) * confidence;

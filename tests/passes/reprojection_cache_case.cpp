@@ -72,6 +72,7 @@ void setParameters(ReprojectionCacheCase& frame) {
         p.gFrameToCoarse[i] = static_cast<float>(frameToCoarse[i]);
         p.gMotionToUv[i] = static_cast<float>(pass.motionToUv[i]);
         p.gMissThreshold[i] = static_cast<float>(pass.missThreshold[i]);
+        p.gChange[i] = static_cast<float>(pass.change[i]);
         p.gSpeedPx[i] = static_cast<float>(pass.speedPx[i]);
         p.gClipToDepth[i] = static_cast<float>(i);
         if (oracle::isOrthographic(pass.previous.viewToClip))
@@ -93,8 +94,14 @@ ReprojectionCacheCase reprojectionCacheCase(const Variant& variant, int width, i
     pass.current = {viewOf({0.1, 0.05, -0.2}, {0.02, -0.01, 0.01}), projectionOf(kind, aspect)};
     pass.previous = {viewOf({0.0, 0.1, -0.3}, {0.04, 0.01, -0.02}), projectionOf(kind, aspect, 1.03)};
     pass.values = valuesOf(variant);
-    pass.motion = isOn("MOTION");
-    pass.bilinear = reprise::switchValue(variant, "RESAMPLING") == "bilinear";
+    const std::string_view history = reprise::switchValue(variant, "HISTORY");
+    pass.where = history == "motion"  ? CachePass::History::motion
+                 : history == "still" ? CachePass::History::still
+                 : history == "none"  ? CachePass::History::none
+                                      : CachePass::History::camera;
+    pass.bilinear =
+        reprise::switchValue(variant, "RESAMPLING") == "bilinear" && pass.where != CachePass::History::still;
+    pass.detectsChange = isOn("CHANGE_DETECTION");
     pass.frameExtent = {width, height};
     pass.motionToUv = {0.5, -0.5};
     const glm::ivec2 coarse = oracle::coarseExtent(pass.frameExtent, pass.ratio);

@@ -19,17 +19,24 @@ class ReprojectionCache : public PassTest, public testing::WithParamInterface<St
 INSTANTIATE_TEST_SUITE_P(Stages, ReprojectionCache, testing::Values(Stage::fragment, Stage::compute),
                          [](const auto& each) { return stageText(each.param); });
 
+// Every combination but those that read no history, of which one is enough.
 std::vector<Variant> allVariants() {
     std::vector<Variant> variants;
-    for (const std::string_view values : {"one", "occlusion_in_integer", "shadow_in_integer"})
+    const auto add = [&](std::initializer_list<reprise::Condition> switches) {
+        variants.push_back(variantOf(pack(), "reprojection_cache", switches));
+    };
+    for (const std::string_view values : {"one", "occlusion_in_integer", "shadow_in_integer"}) {
         for (const std::string_view resampling : {"nearest", "bilinear"})
-            for (const std::string_view motion : {"off", "on"})
-                for (const std::string_view orthographic : {"off", "on"})
-                    variants.push_back(variantOf(pack(), "reprojection_cache",
-                                                 {{"VALUES", values},
-                                                  {"RESAMPLING", resampling},
-                                                  {"MOTION", motion},
-                                                  {"ORTHOGRAPHIC", orthographic}}));
+            for (const std::string_view history : {"camera", "motion", "still"})
+                for (const std::string_view change : {"off", "on"})
+                    for (const std::string_view orthographic : {"off", "on"})
+                        add({{"VALUES", values},
+                             {"RESAMPLING", resampling},
+                             {"HISTORY", history},
+                             {"CHANGE_DETECTION", change},
+                             {"ORTHOGRAPHIC", orthographic}});
+        add({{"VALUES", values}, {"HISTORY", "none"}});
+    }
     return variants;
 }
 
@@ -99,7 +106,7 @@ TEST_P(ReprojectionCache, brokenHistoryIsNotUsed) {
                 const Pixels got = run(pass, frame)[0];
                 for (const float each : got.values)
                     ASSERT_TRUE(std::abs(each) <= 65504.0f) << value;
-                if (frame.pass.bilinear) continue;
+                if (frame.pass.bilinear || frame.pass.where == oracle::CachePass::History::none) continue;
                 const Comparison result = compareWithOracle(frame, got);
                 EXPECT_TRUE(result.holds()) << describe(variant, GetParam(), 33, 17) << ", " << value
                                             << " in channel " << channel << ": " << text(result);
@@ -129,6 +136,28 @@ TEST_P(ReprojectionCache, framesAreAveragedAndCounted) {
         }
         frame.pass.historyValid = 1.0;
         setParameters(frame);
+    }
+}
+
+// The fresh values jump, depths do not: with change detection the history of a texel is given up at once
+// where the jump is beyond what the values around scatter, and kept where it is within.
+TEST_P(ReprojectionCache, changesAreDetected) {
+    Pass pass(variantOf(pack(), "reprojection_cache", {{"HISTORY", "still"}, {"CHANGE_DETECTION", "on"}}),
+              GetParam(), {rgba32f});
+    for (const bool jumps : {false, true}) {
+        auto frame = reprojectionCacheCase(pass.variant(), 64, 64, 97);
+        for (int y = 0; y < frame.fresh.height; ++y)
+            for (int x = 0; x < frame.fresh.width; ++x) {
+                const double noise = 0.2 * unitHash(98, static_cast<uint64_t>(x), static_cast<uint64_t>(y));
+                frame.fresh.at(x, y, 0) = static_cast<float>((jumps ? 0.8 : 0.4) + noise);
+                frame.history.at(x, y, 0) = 0.5f;
+                frame.history.at(x, y, 2) = 9.0f;
+                frame.history.at(x, y, 3) = frame.fresh.at(x, y, 1);
+            }
+        const Pixels got = run(pass, frame)[0];
+        for (int y = 0; y < got.height; ++y)
+            for (int x = 0; x < got.width; ++x)
+                ASSERT_EQ(got.at(x, y, 2), jumps ? 1.0f : 10.0f) << x << ", " << y;
     }
 }
 

@@ -127,7 +127,7 @@ std::vector<std::string_view> Reader::textList(const toml::table& parent, std::s
     return list;
 }
 
-// { SWITCH = "value" }, checked against the switches of the pass.
+// { SWITCH = "value" } or { SWITCH = "!value" }, checked against the switches of the pass.
 std::span<const Condition> Reader::conditions(const toml::table& parent, std::string_view key,
                                               const PassInfo& pass) {
     if (!parent.contains(key)) return {};
@@ -135,7 +135,8 @@ std::span<const Condition> Reader::conditions(const toml::table& parent, std::st
     for (const auto& [name, value] : table(need(parent, key))) {
         Variant probe{&pass, {}};
         const auto wanted = as<std::string>(value, "a string");
-        if (auto set = reprise::setSwitch(probe, name.str(), wanted); !set) fail(value, set.error().message);
+        const auto known = std::string_view(wanted).substr(wanted.starts_with('!') && key == "when" ? 1 : 0);
+        if (auto set = reprise::setSwitch(probe, name.str(), known); !set) fail(value, set.error().message);
         list.push_back({keep(std::string(name.str())), keep(wanted)});
     }
     return list;
@@ -165,7 +166,8 @@ ImageInfo Reader::readImage(const toml::table& table, const PassInfo& pass) {
     image.scale = 1.0f;
     if (const toml::node* scale = table.get("scale")) {
         const auto value = scale->value<double>();
-        if (!value || *value <= 0.0) fail(*scale, "the scale must be a number above 0");
+        if (!value || *value < 0.0)
+            fail(*scale, "the scale must be a number above 0, or 0 for an extent of its own");
         image.scale = static_cast<float>(*value);
     }
     image.history = textOr(table, "history");
@@ -279,8 +281,11 @@ void Reader::readPreset(const toml::table& table) {
     if (pass == storage_.passes.end()) fail(need(table, "pass"), "there is no pass " + std::string(passName));
     auto& presets = storage_.presets[static_cast<size_t>(pass - storage_.passes.begin())];
     const auto [feedbackMin, feedbackMax] = feedback(table);
-    const PresetInfo preset{text(table, "name"), textOr(table, "summary"),
-                            conditions(table, "switches", *pass), feedbackMin, feedbackMax,
+    const PresetInfo preset{text(table, "name"),
+                            textOr(table, "summary"),
+                            conditions(table, "switches", *pass),
+                            feedbackMin,
+                            feedbackMax,
                             flagOr(table, "ramp_feedback", false)};
     if (std::ranges::find(presets, preset.name, &PresetInfo::name) != presets.end())
         fail(table, "the pass " + std::string(passName) + " has two presets of this name; rename one");

@@ -111,11 +111,12 @@ struct alignas(16) ReprojectionCacheParameters {
     float gMotionToUv[2];   // float2
     float gClipToDepth[2];   // float2
     float gMissThreshold[2];   // float2
+    float gSpeedPx[2];   // float2
+    float gChange[2];   // float2
     float gConvergenceTime;
     float gMaxWeight;
-    float gSpeedPx[2];   // float2
     float gHistoryValid;
-    float pad0[3];
+    float pad0[1];
 };
 static_assert(sizeof(ReprojectionCacheParameters) == 160);
 static_assert(offsetof(ReprojectionCacheParameters, gViewToPreviousClip) == 0);
@@ -125,10 +126,11 @@ static_assert(offsetof(ReprojectionCacheParameters, gFrameToCoarse) == 96);
 static_assert(offsetof(ReprojectionCacheParameters, gMotionToUv) == 104);
 static_assert(offsetof(ReprojectionCacheParameters, gClipToDepth) == 112);
 static_assert(offsetof(ReprojectionCacheParameters, gMissThreshold) == 120);
-static_assert(offsetof(ReprojectionCacheParameters, gConvergenceTime) == 128);
-static_assert(offsetof(ReprojectionCacheParameters, gMaxWeight) == 132);
-static_assert(offsetof(ReprojectionCacheParameters, gSpeedPx) == 136);
-static_assert(offsetof(ReprojectionCacheParameters, gHistoryValid) == 144);
+static_assert(offsetof(ReprojectionCacheParameters, gSpeedPx) == 128);
+static_assert(offsetof(ReprojectionCacheParameters, gChange) == 136);
+static_assert(offsetof(ReprojectionCacheParameters, gConvergenceTime) == 144);
+static_assert(offsetof(ReprojectionCacheParameters, gMaxWeight) == 148);
+static_assert(offsetof(ReprojectionCacheParameters, gHistoryValid) == 152);
 namespace bindings::reprojection_cache {
 inline constexpr uint32_t ReprojectionCacheParameters = 0;
 inline constexpr uint32_t gInFresh = 1;
@@ -438,17 +440,20 @@ inline constexpr PackModule ambient_occlusion_modules[] = {
      "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
 };
 inline constexpr Stage reprojection_cache_stages[] = {Stage::fragment, Stage::compute};
-inline constexpr std::string_view reprojection_cache_MOTION_values[] = {"off", "on"};
+inline constexpr std::string_view reprojection_cache_HISTORY_values[] = {"camera", "motion", "still", "none"};
 inline constexpr std::string_view reprojection_cache_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
 inline constexpr std::string_view reprojection_cache_RESAMPLING_values[] = {"nearest", "bilinear"};
+inline constexpr std::string_view reprojection_cache_CHANGE_DETECTION_values[] = {"off", "on"};
 inline constexpr std::string_view reprojection_cache_ORTHOGRAPHIC_values[] = {"off", "on"};
 inline constexpr SwitchInfo reprojection_cache_switches[] = {
-    {"MOTION", reprojection_cache_MOTION_values, 0, "objects move, and motion vectors are at hand",
-     "history is fetched along gInVelocity; off: by camera reprojection", {}},
+    {"HISTORY", reprojection_cache_HISTORY_values, 0, "motion: objects move, and motion vectors are at hand; still: nothing moves",
+     "fetched by camera reprojection, along gInVelocity, at the same place, or not at all", {}},
     {"VALUES", reprojection_cache_VALUES_values, 0, "occlusion and shadow share a channel",
      "one value, or occlusion and shadow packed in one, in either order", {}},
     {"RESAMPLING", reprojection_cache_RESAMPLING_values, 1, "",
      "how history is read between texels; packed values bilinear in four point reads", {}},
+    {"CHANGE_DETECTION", reprojection_cache_CHANGE_DETECTION_values, 0, "occluders appear and disappear",
+     "history that the fresh values around do not bear out is given up", {}},
     {"ORTHOGRAPHIC", reprojection_cache_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
      "rays are parallel", {}},
 };
@@ -464,15 +469,17 @@ inline constexpr BindingInfo reprojection_cache_bindings[] = {
     {"gHistoryCache_sampler", 35, BindingKind::pointSampler},
     {"gHistoryCacheFiltered_sampler", 36, BindingKind::linearSampler},
 };
-inline constexpr Condition reprojection_cache_gInVelocity_when[] = {{"MOTION", "on"}};
+inline constexpr Condition reprojection_cache_gInVelocity_when[] = {{"HISTORY", "motion"}};
+inline constexpr Condition reprojection_cache_gHistoryCache_when[] = {{"HISTORY", "!none"}};
+inline constexpr Condition reprojection_cache_gHistoryCacheFiltered_when[] = {{"HISTORY", "!none"}};
 inline constexpr ImageInfo reprojection_cache_inputs[] = {
     {"gInFresh", "value, or packed pair; linear depth, metres", "rg16f", 0.500000f, "", {},
      ""},
     {"gInVelocity", "motion, scaled by gMotionToUv", "rg16f", 1.000000f, "", reprojection_cache_gInVelocity_when,
      ""},
-    {"gHistoryCache", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "gOutCache", {},
+    {"gHistoryCache", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "gOutCache", reprojection_cache_gHistoryCache_when,
      ""},
-    {"gHistoryCacheFiltered", "value; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "gOutCache", {},
+    {"gHistoryCacheFiltered", "value; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "gOutCache", reprojection_cache_gHistoryCacheFiltered_when,
      "gHistoryCache"},
 };
 inline constexpr ImageInfo reprojection_cache_outputs[] = {
@@ -484,9 +491,17 @@ inline constexpr PackModule reprojection_cache_modules[] = {
      "", ""},
     {"reprojection_cache", Stage::compute,
      "", ""},
-    {"reprojection_cache--motion-on", Stage::fragment,
+    {"reprojection_cache--history-motion", Stage::fragment,
      "", ""},
-    {"reprojection_cache--motion-on", Stage::compute,
+    {"reprojection_cache--history-motion", Stage::compute,
+     "", ""},
+    {"reprojection_cache--history-still", Stage::fragment,
+     "", ""},
+    {"reprojection_cache--history-still", Stage::compute,
+     "", ""},
+    {"reprojection_cache--history-none", Stage::fragment,
+     "", ""},
+    {"reprojection_cache--history-none", Stage::compute,
      "", ""},
     {"reprojection_cache--values-occlusion_in_integer", Stage::fragment,
      "", ""},
@@ -499,6 +514,10 @@ inline constexpr PackModule reprojection_cache_modules[] = {
     {"reprojection_cache--resampling-nearest", Stage::fragment,
      "", ""},
     {"reprojection_cache--resampling-nearest", Stage::compute,
+     "", ""},
+    {"reprojection_cache--change_detection-on", Stage::fragment,
+     "", ""},
+    {"reprojection_cache--change_detection-on", Stage::compute,
      "", ""},
     {"reprojection_cache--orthographic-on", Stage::fragment,
      "", ""},

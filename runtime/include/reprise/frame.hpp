@@ -25,27 +25,52 @@ struct ObjectDraw {
 struct TaaTuning {
     float feedbackMin = 0.88f, feedbackMax = 0.97f; // history weight; constant feedback uses feedbackMax
     bool rampFeedback = false; // history of n frames weighs at most n / (n + 1): after a reset, their mean
-    float blurFromPx = 2.0f, blurToPx = 15.0f;      // trust 1 and trust 0 of the motion blur fallback
-    glm::vec2 motionToUv{1.0f, 1.0f};               // scales gInVelocity to UV, curr - prev
+    float blurFromPx = 2.0f, blurToPx = 15.0f; // trust 1 and trust 0 of the motion blur fallback
+    glm::vec2 motionToUv{1.0f, 1.0f};          // scales gInVelocity to UV, curr - prev
 };
 
 // The numbers that a preset comes with.
 TaaTuning tuningOf(const PresetInfo& preset);
 
+// Of the framework; docs/ambient_occlusion.md says what each does.
+struct CacheTuning {
+    float radius = 1.0f;                   // metres, of what occludes
+    glm::vec2 bias{0.02f, 0.002f};         // of occlusion, metres and metres a metre of depth
+    uint32_t subsets = 8;                  // frames after which the sample patterns repeat, 1 to 16
+    glm::vec2 missThreshold{0.05f, 0.03f}; // metres and metres a metre of depth: another surface
+    float convergenceTime = 2.0f;          // confidence of equal depths
+    float maxWeight = 0.95f;               // most weight of history, [0, 1)
+    glm::vec2 speedPx{32.0f, 128.0f};      // coarse texels a frame: history fades, history has no weight
+    glm::vec2 change{1.2f, 0.05f};         // deviations and difference that history may differ by
+    glm::vec2 depthAmplitude{0.0f, 60.0f}; // of the filter, 1 / metres and 1 / share of the depth
+    float converged = 16.0f;               // frames from which on the filter is the document's
+    float maxSmoothing = 8.0f;             // of its neighbours' weight without history, 1 to 16
+    float filterStep = 1.0f;               // texels between the filter's texels: 1 reaches four, 2 eight
+    float normalContrast = 8.0f;           // of upsampling by normals: exponent of the cosine
+};
+
 struct FrameInput {
-    uint64_t frameIndex = 0;                 // a gap to the previous call resets history
-    CameraFrame camera;                      // unjittered
-    glm::dvec2 jitterPx{0.0};                // the jitter that colour and depth were rendered with
-    ImageRef colour, depth;                  // in SHADER_READ_ONLY_OPTIMAL
-    std::optional<ImageRef> motion;          // with needs.engineWritesMotion; SHADER_READ_ONLY_OPTIMAL
+    uint64_t frameIndex = 0;        // a gap to the previous call resets history
+    CameraFrame camera;             // unjittered
+    glm::dvec2 jitterPx{0.0};       // the jitter that colour and depth were rendered with
+    ImageRef colour, depth;         // in SHADER_READ_ONLY_OPTIMAL; colour with antiAliasing
+    std::optional<ImageRef> motion; // with needs.engineWritesMotion; SHADER_READ_ONLY_OPTIMAL
+    // With needs.cachedValue: RG16F of ceil(extent / ratio) texels, the value and its linear depth in metres.
+    std::optional<ImageRef> fresh;
     std::optional<ImageRef> depthAttachment; // with objectsMove: tested, not written; DEPTH_READ_ONLY_OPTIMAL
     std::span<const ObjectDraw> movingObjects;
-    bool resetHistory = false; // camera cut
+    bool resetHistory = false;       // camera cut
     std::optional<TaaTuning> tuning; // else that of the preset
+    CacheTuning cache;
 };
 
 struct FrameOutput {
-    ImageRef colour; // in SHADER_READ_ONLY_OPTIMAL; valid until the next record(); can be copied from
+    // In SHADER_READ_ONLY_OPTIMAL; valid until the next record(); can be copied from. Colour without
+    // anti-aliasing has no image.
+    ImageRef colour;
+    // RG16F at full resolution: visibility by occluders near by (or the value) and 0; the sun's and 0; or
+    // both.
+    std::optional<ImageRef> lighting;
     std::optional<ImageRef> motion; // likewise; none when nothing moves
     bool historyWasReset = false;
     std::string_view resetReason; // "first frame", "frame gap", "resize", "request" or empty

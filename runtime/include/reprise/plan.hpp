@@ -18,14 +18,32 @@ struct SceneNeeds {
     bool reversedDepth = false;
     bool orthographic = false;
     bool linearDepth = false; // depth input is linear view depth in metres
+    // What the framework caches (Drobot 7.2 and 7.3); occlusion and shadows share one cache.
+    bool ambientOcclusion = false;
+    bool sunShadows = false;
+    bool cachedValue = false; // a value of the engine's, FrameInput::fresh, without the two above
+};
+
+// The framework's steps, for whatever the needs ask it to cache.
+struct CacheSettings {
+    uint32_t ratio = 2;          // step 1: pixels of the frame per coarse texel along an axis, 2 or 4
+    uint32_t samples = 4;        // step 3: a texel and frame; 1, 2, 4, 8, 12, 16 or 32
+    bool history = true;         // steps 4, 5 and 8; false: every frame stands alone
+    bool detectsChanges = true;  // history gives way where the values of this frame do not bear it out
+    bool filter = true;          // step 6
+    bool filtersHistory = false; // step 8 after the filter: filtering over time
+    std::string_view packing = "occlusion_in_integer"; // of occlusion and shadow; or shadow_in_integer
 };
 
 struct Settings {
-    Stage stage = Stage::compute;       // fragment or compute, for every full-screen pass
-    std::string_view preset = "best";   // of temporal_aa
-    std::vector<Condition> overrides{}; // switches of temporal_aa set by hand, after the preset and the needs
-    bool quadOperations = true;         // the device has them in compute (Device::quadOperations)
-    std::string_view colourFormat{};    // of temporal_aa's outputs; empty: as the table recommends
+    Stage stage = Stage::compute;     // fragment or compute, for every full-screen pass
+    std::string_view preset = "best"; // of temporal_aa
+    // Switches set by hand, after the preset and the needs: of temporal_aa by their name, of another pass as
+    // "bilateral_filter.TAPS".
+    std::vector<Condition> overrides{};
+    bool quadOperations = true;      // the device has them in compute (Device::quadOperations)
+    std::string_view colourFormat{}; // of temporal_aa's outputs; empty: as the table recommends
+    CacheSettings cache{};
 };
 
 struct Extent {
@@ -47,6 +65,7 @@ struct PlannedImage {
 struct PlannedPass {
     Variant variant;
     Stage stage = Stage::compute;
+    std::string_view run{};                   // "across" and "down" of bilateral_filter
     std::vector<std::string> reads, writes;   // resource names of the table
     std::vector<int> readImages, writeImages; // the same as places in FramePlan::images; -1: a buffer
 };
@@ -60,13 +79,15 @@ struct FramePlan {
     std::vector<PlannedPass> passes; // in order of recording
     std::vector<PlannedImage> images;
     std::vector<Dropped> dropped;
-    uint64_t bytes = 0; // of all images that the runtime allocates, after aliasing
+    CacheSettings cache; // as planned
+    uint64_t bytes = 0;  // of all images that the runtime allocates, after aliasing
     uint64_t bytesWithoutAliasing = 0;
 };
 
-// An output gOutX of an earlier pass is the input gInX of a later one; an input that no pass writes is the
-// engine's. presets: of temporal_aa. Errors: zeroExtent, invalidArgument (an unknown preset, switch, format
-// or stage).
+// An output gOutX of an earlier pass is the input gInX of a later one, and the framework's steps follow each
+// other (see docs/runtime.md); an input that no pass writes is the engine's. presets: of temporal_aa.
+// Errors: zeroExtent, invalidArgument (an unknown preset, switch, format or stage; a ratio or a number of
+// samples that there is not; a value of the engine's beside occlusion or shadows).
 Result<FramePlan> plan(std::span<const PassInfo> passes, std::span<const PresetInfo> presets,
                        const SceneNeeds& needs, const Settings& settings, Extent extent);
 

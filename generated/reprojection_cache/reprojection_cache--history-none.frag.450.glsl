@@ -1,0 +1,30 @@
+#version 450
+
+layout(binding = 0, std140) uniform ReprojectionCacheParameters
+{
+    mat4 gViewToPreviousClip;
+    vec4 gOutputSize;
+    vec4 gViewRay;
+    vec2 gFrameToCoarse;
+    vec2 gMotionToUv;
+    vec2 gClipToDepth;
+    vec2 gMissThreshold;
+    vec2 gSpeedPx;
+    vec2 gChange;
+    float gConvergenceTime;
+    float gMaxWeight;
+    float gHistoryValid;
+} parameters;
+
+layout(binding = 1) uniform sampler2D gInFresh;
+
+layout(location = 0) out vec4 gOutCache;
+
+void main()
+{
+    vec4 _42 = textureLod(gInFresh, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
+    float _43 = _42.y;
+    float _48 = _42.x;
+    gOutCache = vec4(mix(vec2(0.0), vec2(_48, 0.0), bvec2(abs(_48) <= 65504.0)).x, 0.0, 1.0, ((_43 > 0.0) && (_43 < 65504.0)) ? _43 : 65504.0);
+}
+
