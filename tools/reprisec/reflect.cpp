@@ -111,25 +111,36 @@ void countInstruction(const Instruction& each, UseCounter& counter) {
     }
 }
 
-// Which values of a uniform buffer a module reads. A driver drops what nothing uses, a row of a matrix too, so
-// components count where they are used: by an extract or a shuffle, or all of them by anything else.
+// Which values of a uniform buffer a module reads. A driver drops what nothing uses, a row of a matrix too,
+// so components count where they are used: by an extract or a shuffle, or all of them by anything else.
 struct ScalarCounter {
     struct Load {
         std::vector<uint32_t> place; // the indices of the access chain
         uint32_t rows = 1;           // values per component: 4 where a matrix was multiplied
         uint32_t width = 1;          // components
         uint32_t mask = 0;
+        bool isComponent = false; // then the mask is known
     };
     std::map<uint32_t, std::vector<uint32_t>> chains; // by pointer
     std::map<uint32_t, Load> loads;                   // by value
-    std::map<uint32_t, uint32_t> columns;             // of a type: components of a vector, columns of a matrix
+    std::map<uint32_t, uint32_t> columns;   // of a type: components of a vector, columns of a matrix
+    std::map<uint32_t, uint32_t> constants; // values of 32-bit ones
     uint32_t block = 0;
 
     void use(uint32_t id, uint32_t mask) {
         const auto found = loads.find(id);
-        if (found != loads.end()) found->second.mask |= mask & ((1u << found->second.width) - 1u);
+        if (found == loads.end() || found->second.isComponent) return;
+        found->second.mask |= mask & ((1u << found->second.width) - 1u);
     }
     void visit(const Instruction& each);
+    Load loadOf(const std::vector<uint32_t>& chain, uint32_t components) const {
+        Load load{chain, 1, components, 0, false};
+        const auto component = chain.size() < 2 ? constants.end() : constants.find(chain.back());
+        if (components > 1 || component == constants.end() || component->second > 3) return load;
+        // One component of a vector, which may be read whole elsewhere.
+        load.place.pop_back();
+        return {std::move(load.place), 1, 1, 1u << component->second, true};
+    }
     uint32_t width(uint32_t type) const {
         const auto found = columns.find(type);
         return found == columns.end() ? 1 : found->second;
@@ -152,7 +163,8 @@ void ScalarCounter::visit(const Instruction& each) {
     const auto& w = each.words;
     if (each.opcode == spv::OpTypeVector || each.opcode == spv::OpTypeMatrix) columns[w[1]] = w[3];
     if (each.opcode == spv::OpAccessChain && w[3] == block) chains[w[2]] = {w.begin() + 4, w.end()};
-    if (each.opcode == spv::OpLoad && chains.contains(w[3])) loads[w[2]] = {chains[w[3]], 1, width(w[1]), 0};
+    if (each.opcode == spv::OpConstant && w.size() == 4) constants[w[2]] = w[3];
+    if (each.opcode == spv::OpLoad && chains.contains(w[3])) loads[w[2]] = loadOf(chains[w[3]], width(w[1]));
     if (each.opcode < spv::OpVectorExtractDynamic && each.opcode != spv::OpExtInst) return;
     if (each.opcode == spv::OpCompositeExtract) return use(w[3], 1u << w[4]);
     if (each.opcode == spv::OpVectorShuffle) {

@@ -178,6 +178,19 @@ TEST(CompileSource, givesSpirvOfAnyText) {
     EXPECT_EQ(use(*compiled, "gData").stores, 1u);
 }
 
+// A vector that is read whole and by its components is four values, and a product reads the rows it needs.
+TEST(CompileSource, parametersCountOnceHoweverTheyAreRead) {
+    const auto compiled =
+        reprisec::compileSource(source("[[vk::binding(0)]] cbuffer Parameters { row_major float4x4 gMatrix; "
+                                       "float4 gWhole; float4 gPart; };\n"
+                                       "float4 mainFragment(float4 p : SV_Position) : SV_Target0 {\n"
+                                       "    float4 a = mul(gMatrix, p), b = sin(gWhole);\n"
+                                       "    return float4(a.xy, b.x * gWhole.y, b.y + gWhole.x + gPart.z); }",
+                                       Stage::fragment, "mainFragment"));
+    ASSERT_TRUE(compiled) << messageOf(compiled);
+    EXPECT_EQ(use(*compiled, "Parameters").scalars, 8u + 4u + 1u);
+}
+
 TEST(CompileSource, fetchAndSampleOfOneTextureShareOneUniform) {
     const auto compiled = reprisec::compileSource(
         source("[[vk::binding(1)]] Texture2D<float4> gIn; [[vk::binding(33)]] SamplerState gIn_sampler;\n"
