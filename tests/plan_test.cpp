@@ -189,6 +189,159 @@ TEST(Plan, mistakesAreSentences) {
     EXPECT_NE(message(tryPlan({}, {.colourFormat = "rgb5"})).find("rgb5"), std::string::npos);
 }
 
+// --- The framework
+
+SceneNeeds lighting(SceneNeeds needs = {}) {
+    needs.antiAliasing = false;
+    needs.ambientOcclusion = true;
+    return needs;
+}
+
+const PlannedPass* passOf(const FramePlan& plan, std::string_view name) {
+    const auto found = std::ranges::find_if(
+        plan.passes, [&](const PlannedPass& pass) { return pass.variant.pass->name == name; });
+    return found == plan.passes.end() ? nullptr : &*found;
+}
+
+std::string switchOf(const FramePlan& plan, std::string_view pass, std::string_view name) {
+    const PlannedPass* found = passOf(plan, pass);
+    return found ? std::string(switchValue(found->variant, name)) : "no such pass";
+}
+
+TEST(Plan, theFrameworksStepsFollowFromNeedsAndSettings) {
+    struct Row {
+        SceneNeeds needs;
+        CacheSettings cache;
+        Names passes;
+    };
+    const Names first{"depth_downsample", "ambient_occlusion"};
+    const auto after = [&](Names names, Names more) {
+        names.insert(names.end(), more.begin(), more.end());
+        return names;
+    };
+    const Names all =
+        after(first, {"reprojection_cache", "bilateral_filter", "bilateral_filter", "bilateral_upsample"});
+    const Row rows[] = {
+        {lighting({.objectsMove = false}), {}, all},
+        {lighting({.cameraMoves = false, .objectsMove = false}), {}, all},
+        {lighting(), {}, after({"camera_velocity", "object_velocity"}, all)},
+        {lighting({.engineWritesMotion = true}), {}, all},
+        {lighting({.objectsMove = false}),
+         {.filter = false},
+         after(first, {"reprojection_cache", "bilateral_upsample"})},
+        {lighting(), {.history = false}, all},
+        {lighting(), {.history = false, .filter = false}, after(first, {"bilateral_upsample"})},
+        {{.antiAliasing = false, .objectsMove = false, .cachedValue = true},
+         {},
+         {"depth_downsample", "reprojection_cache", "bilateral_filter", "bilateral_filter",
+          "bilateral_upsample"}},
+        {{.objectsMove = false, .ambientOcclusion = true},
+         {},
+         after(after({"camera_velocity"}, all), {"temporal_aa"})},
+    };
+    for (const Row& row : rows)
+        for (const Stage stage : {Stage::fragment, Stage::compute}) {
+            const FramePlan plan = planned(row.needs, {.stage = stage, .cache = row.cache});
+            EXPECT_EQ(passNames(plan), row.passes);
+            for (const PassInfo& pass : pack().passes())
+                if (!pass.outputs.empty() && passOf(plan, pass.name) == nullptr) {
+                    EXPECT_TRUE(reasonFor(plan, pass.name).ends_with('.')) << pass.name;
+                }
+        }
+}
+
+TEST(Plan, historyIsFoundAsTheSceneAllows) {
+    const auto found = [](const SceneNeeds& needs, const CacheSettings& cache = {}) {
+        return switchOf(planned(lighting(needs), {.cache = cache}), "reprojection_cache", "HISTORY");
+    };
+    EXPECT_EQ(found({}), "motion");
+    EXPECT_EQ(found({.objectsMove = false}), "camera");
+    EXPECT_EQ(found({.cameraMoves = false}), "motion");
+    EXPECT_EQ(found({.cameraMoves = false, .objectsMove = false}), "still");
+    EXPECT_EQ(found({}, {.history = false}), "none");
+    const FramePlan camera = planned(lighting({.objectsMove = false}));
+    EXPECT_EQ(imageOf(camera, "gOutVelocity"), nullptr);
+    EXPECT_NE(reasonFor(camera, "reprojection_cache: HISTORY"), "");
+}
+
+TEST(Plan, eachStepReadsWhatTheOneBeforeWrote) {
+    const auto source = [](const FramePlan& plan, size_t pass, std::string_view input) -> std::string {
+        const PlannedPass& planned = plan.passes[pass];
+        for (size_t i = 0; i < planned.reads.size(); ++i)
+            if (planned.reads[i] == input)
+                return plan.images[static_cast<size_t>(planned.readImages[i])].name;
+        return "nothing";
+    };
+    const SceneNeeds needs = lighting({.objectsMove = false});
+    for (const bool filtersHistory : {false, true}) {
+        const FramePlan plan = planned(needs, {.cache = {.filtersHistory = filtersHistory}});
+        EXPECT_EQ(source(plan, 1, "gInCoarseDepth"), "gOutCoarseDepth");
+        EXPECT_EQ(source(plan, 2, "gInFresh"), "gOutOcclusion");
+        EXPECT_EQ(source(plan, 2, "gHistoryCache"), filtersHistory ? "gOutFiltered" : "gOutCache");
+        EXPECT_EQ(source(plan, 3, "gInCache"), "gOutCache");
+        EXPECT_EQ(source(plan, 4, "gInCache"), "gOutFilteredAcross");
+        EXPECT_EQ(source(plan, 4, "gInCacheFiltered"), "gOutFilteredAcross");
+        EXPECT_EQ(source(plan, 5, "gInFiltered"), "gOutFiltered");
+        EXPECT_EQ(imageOf(plan, "gOutCache")->history, !filtersHistory);
+        EXPECT_EQ(imageOf(plan, "gOutFiltered")->history, filtersHistory);
+    }
+    const FramePlan unfiltered = planned(needs, {.cache = {.filter = false, .filtersHistory = true}});
+    EXPECT_EQ(source(unfiltered, 3, "gInFiltered"), "gOutCache");
+    EXPECT_TRUE(imageOf(unfiltered, "gOutCache")->history);
+    const FramePlan fresh = planned(needs, {.cache = {.history = false, .filter = false}});
+    EXPECT_EQ(source(fresh, 2, "gInFiltered"), "gOutOcclusion");
+    for (const PlannedImage& image : fresh.images)
+        EXPECT_FALSE(image.history) << image.name;
+    EXPECT_EQ(source(planned({.antiAliasing = false, .cachedValue = true}), 3, "gInFresh"), "gInFresh");
+}
+
+// Odd sizes round up, and every coarse image follows the ratio, of passes too that do not know it.
+TEST(Plan, coarseImagesFollowTheRatio) {
+    for (const uint32_t ratio : {2u, 4u}) {
+        const auto plan = tryPlan(lighting(), {.cache = {.ratio = ratio}}, {641, 359});
+        ASSERT_TRUE(plan) << plan.error().message;
+        for (const char* name :
+             {"gOutCoarseDepth", "gOutOcclusion", "gOutCache", "gOutFilteredAcross", "gOutFiltered"}) {
+            EXPECT_EQ(imageOf(*plan, name)->extent.width, (641 + ratio - 1) / ratio) << name;
+            EXPECT_EQ(imageOf(*plan, name)->extent.height, (359 + ratio - 1) / ratio) << name;
+        }
+        EXPECT_EQ(imageOf(*plan, "gOutUpsampled")->extent.width, 641u);
+        EXPECT_EQ(switchOf(*plan, "depth_downsample", "RATIO"), std::to_string(ratio));
+        EXPECT_EQ(switchOf(*plan, "bilateral_upsample", "RATIO"), std::to_string(ratio));
+    }
+}
+
+// What a scene does not need costs it no memory.
+TEST(Plan, leavingStepsOutSavesMemory) {
+    const auto bytes = [](const CacheSettings& cache, const SceneNeeds& needs = {.objectsMove = false}) {
+        return planned(lighting(needs), {.cache = cache}).bytes;
+    };
+    EXPECT_LT(bytes({.filter = false}), bytes({}));
+    EXPECT_LT(bytes({.history = false}), bytes({}));
+    EXPECT_LT(bytes({.history = false, .filter = false}), bytes({.history = false}));
+    EXPECT_LT(bytes({.ratio = 4}), bytes({}));
+    EXPECT_LT(bytes({}), bytes({}, {})) << "motion vectors";
+}
+
+TEST(Plan, overridesNameThePassTheyAreOf) {
+    const auto plan = planned(
+        lighting(), {.overrides = {{"bilateral_filter.TAPS", "point"}, {"ambient_occlusion.SAMPLES", "16"}}});
+    EXPECT_EQ(switchOf(plan, "bilateral_filter", "TAPS"), "point");
+    EXPECT_EQ(switchOf(plan, "ambient_occlusion", "SAMPLES"), "16");
+    EXPECT_FALSE(tryPlan(lighting(), {.overrides = {{"bilateral_filter.TAPES", "point"}}}));
+    EXPECT_FALSE(tryPlan(lighting(), {.overrides = {{"bilateral_fitler.TAPS", "point"}}}));
+}
+
+TEST(Plan, mistakesOfTheCacheAreSentences) {
+    const auto says = [](const Result<FramePlan>& result, std::string_view text) {
+        return !result && result.error().code == ErrorCode::invalidArgument &&
+               result.error().message.find(text) != std::string::npos;
+    };
+    EXPECT_TRUE(says(tryPlan(lighting(), {.cache = {.ratio = 3}}), "ratio is 2 or 4"));
+    EXPECT_TRUE(says(tryPlan(lighting(), {.cache = {.samples = 5}}), "SAMPLES"));
+    EXPECT_TRUE(says(tryPlan(lighting({.cachedValue = true})), "a recorder for each"));
+}
+
 PlannedImage transient(std::string name, int first, int last, uint64_t bytes) {
     PlannedImage image;
     image.name = std::move(name);

@@ -22,6 +22,8 @@ std::string_view vetoOf(const PassInfo& pass, const SceneNeeds& needs, const Set
     if (pass.name == "ambient_occlusion" && !needs.ambientOcclusion)
         return "Ambient occlusion is not asked for.";
     if (pass.name == "sun_shadow" && !needs.sunShadows) return "Sun shadows are not asked for.";
+    if (pass.name == cachePass && !settings.cache.history && !settings.cache.filter)
+        return "CacheSettings::history and filter are off: what is computed is upsampled.";
     if (pass.name == filterPass && !settings.cache.filter) return "CacheSettings::filter is off.";
     const bool camera = pass.name == "camera_velocity", object = pass.name == "object_velocity";
     if ((camera || object) && needs.engineWritesMotion) return "The engine writes motion vectors itself.";
@@ -127,6 +129,17 @@ Result<void> checkCache(const SceneNeeds& needs, const CacheSettings& cache) {
     return {};
 }
 
+// An override of a pass that there is not would have no effect.
+Result<void> checkOverrides(std::span<const PassInfo> passes, std::span<const Condition> overrides) {
+    for (const Condition& condition : overrides) {
+        const size_t dot = condition.switchName.find('.');
+        if (dot == std::string_view::npos) continue;
+        if (auto known = makeVariant(passes, condition.switchName.substr(0, dot)); !known)
+            return known.error();
+    }
+    return {};
+}
+
 Result<void> checkSettings(const Settings& settings, Extent extent) {
     if (extent.width == 0 || extent.height == 0)
         return Error{ErrorCode::zeroExtent, "The extent of the frame is zero; give it a width and a height."};
@@ -146,6 +159,7 @@ Result<FramePlan> plan(std::span<const PassInfo> passes, std::span<const PresetI
     return guarded([&]() -> Result<FramePlan> {
         if (auto checked = checkSettings(settings, extent); !checked) return checked.error();
         if (auto checked = checkCache(needs, settings.cache); !checked) return checked.error();
+        if (auto checked = checkOverrides(passes, settings.overrides); !checked) return checked.error();
         FramePlan plan;
         plan.cache = settings.cache;
         auto candidates = candidatesFor(passes, presets, needs, settings, plan.dropped);

@@ -48,14 +48,16 @@ int add(const Layout& layout, const ImageInfo& info, std::string name, std::stri
 
 // What an earlier pass wrote, or else the engine's. Motion that neither gives is zero everywhere.
 int addInput(const Layout& layout, const ImageInfo& input, int pass) {
-    const std::string_view name = input.sameAs.empty() ? input.name : input.sameAs;
+    std::string_view name = input.sameAs.empty() ? input.name : input.sameAs;
     int image = -1;
     for (const std::string& source : sourcesOf(name))
         if (image < 0) image = find(layout.plan, source);
     if (image < 0) image = find(layout.plan, name);
     if (image < 0) {
         const bool zero = sourcesOf(name).front() == velocityImage && !layout.engineWritesMotion;
-        image = add(layout, input, std::string(zero ? velocityImage : name), input.format, pass);
+        // A value of the engine's that no step has touched is upsampled as it is.
+        const std::string_view given = name == "gInFiltered" ? "gInFresh" : name;
+        image = add(layout, input, std::string(zero ? velocityImage : given), input.format, pass);
         at(layout.plan, image).external = !zero;
         at(layout.plan, image).cleared = zero;
     }
@@ -127,7 +129,7 @@ bool isImage(const ImageInfo& info) {
 std::vector<std::string> sourcesOf(std::string_view input) {
     if (input == "gInFresh") return {"gOutShadow", "gOutOcclusion"};
     if (input == "gInCache") return {"gOutFilteredAcross", "gOutCache"};
-    if (input == "gInFiltered") return {"gOutFiltered", "gOutCache"};
+    if (input == "gInFiltered") return {"gOutFiltered", "gOutCache", "gOutShadow", "gOutOcclusion"};
     if (input == "gInLighting") return {std::string(lightingImage)};
     if (input == "gInColour") return {"gOutLit"};
     return {std::string(outPrefix) + std::string(input.substr(inPrefix.size()))};

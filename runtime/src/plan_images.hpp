@@ -9,7 +9,7 @@ namespace reprise {
 inline constexpr std::string_view temporalPass = "temporal_aa", velocityImage = "gOutVelocity";
 // The last step of the framework and what it writes, at the frame's extent.
 inline constexpr std::string_view upsamplePass = "bilateral_upsample", lightingImage = "gOutUpsampled";
-inline constexpr std::string_view filterPass = "bilateral_filter";
+inline constexpr std::string_view cachePass = "reprojection_cache", filterPass = "bilateral_filter";
 
 bool isHistory(const ImageInfo& input);
 bool isImage(const ImageInfo& info); // else a buffer

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+// The framework recorded frame by frame: values over time, sizes, depth conventions, and what is broken.
+#include "runtime_frame_support.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using namespace reprise;
+
+class LightingTest : public RuntimeTest, public testing::WithParamInterface<Stage> {
+protected:
+    FrameRecorder::CreateInfo info(SceneNeeds needs, Extent extent, const CacheSettings& cache = {}) const {
+        needs.antiAliasing = false;
+        return {.needs = needs, .settings = {.stage = GetParam(), .cache = cache}, .extent = extent};
+    }
+
+    static std::vector<float> lightingOf(FrameRecorder& recorder, const FrameInput& input) {
+        const auto output = recordOne(recorder, input);
+        if (!output) throw std::runtime_error(output.error().message);
+        if (!output->lighting) throw std::runtime_error("There is no lighting.");
+        EXPECT_FALSE(output->colour.image) << "no anti-aliasing, no colour";
+        return downloadRef(*output->lighting);
+    }
+};
+
+constexpr SceneNeeds still{.cameraMoves = false, .objectsMove = false};
+SceneNeeds with(SceneNeeds needs, bool SceneNeeds::*need) {
+    needs.*need = true;
+    return needs;
+}
+
+// A value of the engine's that changes from frame to frame, on a surface that faces a still camera.
+struct FreshValue {
+    explicit FreshValue(Extent extent, uint32_t ratio)
+        : image(testGpu().image(VK_FORMAT_R16G16_SFLOAT, (extent.width + ratio - 1) / ratio,
+                                (extent.height + ratio - 1) / ratio)) {}
+
+    void fill(float value, float depth) {
+        std::vector<float> texels;
+        for (uint32_t i = 0; i < image.ref.extent.width * image.ref.extent.height; ++i)
+            texels.insert(texels.end(), {value, depth});
+        testGpu().uploadFloats(image, texels);
+    }
+    harness::Image image;
+};
+
+// linear depth of device depth 0.5 in TestFrame's projection: 0.1 / (1.001 - 0.5)
+constexpr float surfaceDepth = 0.1f / (1.001f - 0.5f);
+
+// The mean of all frames until history weighs its most: what each step hands on is what the next one reads,
+// and history swaps, before the filter or after it.
+TEST_P(LightingTest, aValueOfTheEnginesIsAveragedOverFrames) {
+    const Extent extent{33, 18};
+    for (const bool moves : {false, true})
+        for (const uint32_t ratio : {2u, 4u})
+            for (const bool filtersHistory : {false, true}) {
+                SceneNeeds needs = with(still, &SceneNeeds::cachedValue);
+                needs.cameraMoves = moves; // it does not, but history is then reprojected
+                auto recorder = makeRecorder(
+                    info(needs, extent,
+                         {.ratio = ratio, .detectsChanges = false, .filtersHistory = filtersHistory}));
+                TestFrame frame(extent);
+                FreshValue fresh(extent, ratio);
+                double sum = 0.0;
+                for (uint64_t n = 0; n < 6; ++n) {
+                    const double value = n % 3 == 0 ? 0.75 : 0.25;
+                    sum += value;
+                    fresh.fill(static_cast<float>(value), surfaceDepth);
+                    auto input = frame.input(n);
+                    input.fresh = fresh.image.ref;
+                    const auto lighting = lightingOf(recorder, input);
+                    for (size_t i = 0; i < lighting.size(); i += 2)
+                        ASSERT_NEAR(lighting[i], sum / double(n + 1), 3e-3)
+                            << "frame " << n << ", texel " << i / 2;
+                }
+            }
+}
+
+TEST_P(LightingTest, withoutHistoryEveryFrameStandsAlone) {
+    const Extent extent{16, 16};
+    for (const bool filter : {false, true}) {
+        auto recorder = makeRecorder(
+            info(with(still, &SceneNeeds::cachedValue), extent, {.history = false, .filter = filter}));
+        TestFrame frame(extent);
+        FreshValue fresh(extent, 2);
+        for (uint64_t n = 0; n < 3; ++n) {
+            const float value = n == 1 ? 1.0f : 0.0f;
+            fresh.fill(value, surfaceDepth);
+            auto input = frame.input(n);
+            input.fresh = fresh.image.ref;
+            for (const float each : lightingOf(recorder, input))
+                ASSERT_TRUE(each == value || each == 0.0f);
+        }
+    }
+}
+
+TEST_P(LightingTest, aResetForgetsAndSoDoesAChangeThatIsSeen) {
+    const Extent extent{16, 16};
+    TestFrame frame(extent);
+    FreshValue fresh(extent, 2);
+    const auto after = [&](bool detects, bool reset) {
+        auto recorder =
+            makeRecorder(info(with(still, &SceneNeeds::cachedValue), extent, {.detectsChanges = detects}));
+        float last = 0.0f;
+        for (uint64_t n = 0; n < 5; ++n) {
+            fresh.fill(n < 4 ? 0.25f : 0.75f, surfaceDepth);
+            auto input = frame.input(n);
+            input.fresh = fresh.image.ref;
+            input.resetHistory = reset && n == 4;
+            last = lightingOf(recorder, input).front();
+        }
+        return last;
+    };
+    EXPECT_NEAR(after(false, false), 0.35f, 2e-3f) << "the mean of five";
+    EXPECT_NEAR(after(false, true), 0.75f, 2e-3f);
+    EXPECT_NEAR(after(true, false), 0.75f, 2e-3f);
+}
+
+// The corner between two walls, beside the middle lest two sides be equal, as a camera of that convention of
+// depth sees it: the same occlusion in each, and less light in the corner than beside it.
+TEST_P(LightingTest, aCornerIsTheSameInEveryConventionAndSize) {
+    for (const Extent extent : {Extent{1, 1}, Extent{7, 5}, Extent{65, 64}})
+        for (const bool orthographic : {false, true}) {
+            std::vector<float> expected;
+            for (int bits = 0; bits < 4; ++bits) {
+                SceneNeeds needs = with(still, &SceneNeeds::ambientOcclusion);
+                needs.reversedDepth = bits & 1;
+                needs.linearDepth = bits & 2;
+                needs.orthographic = orthographic;
+                auto recorder = makeRecorder(info(needs, extent));
+                TestFrame frame(extent);
+                const double nearPlane = 0.1, farPlane = 50.0, range = farPlane - nearPlane;
+                glm::dmat4& m = frame.camera.viewToClip;
+                m = glm::dmat4(1.0);
+                if (orthographic) {
+                    m[2][2] = (needs.reversedDepth ? -1.0 : 1.0) / range;
+                    m[3][2] = needs.reversedDepth ? farPlane / range : -nearPlane / range;
+                } else {
+                    m[2] = {0.0, 0.0, needs.reversedDepth ? -nearPlane / range : farPlane / range, 1.0};
+                    m[3] = {0.0, 0.0, (needs.reversedDepth ? 1.0 : -1.0) * nearPlane * farPlane / range, 0.0};
+                }
+                std::vector<float> depths;
+                for (uint32_t i = 0; i < extent.width * extent.height; ++i) {
+                    const double x = 2.0 * (i % extent.width + 0.5) / extent.width - 1.0;
+                    const double depth = 1.2 - std::abs(x - 0.13), clip = m[2][2] * depth + m[3][2];
+                    depths.push_back(static_cast<float>(needs.linearDepth ? depth
+                                                        : orthographic    ? clip
+                                                                          : clip / depth));
+                }
+                testGpu().uploadFloats(frame.depth, depths);
+                std::vector<float> lighting;
+                for (uint64_t n = 0; n < 3; ++n)
+                    lighting = lightingOf(recorder, frame.input(n));
+                if (expected.empty()) expected = lighting;
+                // Roundings move a sample over the border of a texel here and there.
+                size_t moved = 0;
+                double sum = 0.0;
+                for (size_t i = 0; i < lighting.size(); i += 2) {
+                    const double difference = std::abs(double(lighting[i]) - double(expected[i]));
+                    moved += difference > 0.02 ? 1 : 0;
+                    sum += difference;
+                }
+                EXPECT_LE(moved, 1 + lighting.size() / 100) << "convention " << bits;
+                EXPECT_LT(sum / double(lighting.size() / 2), 0.01) << "convention " << bits;
+            }
+            if (extent.width < 65) continue;
+            const size_t row = size_t(extent.width) * 32;
+            EXPECT_LT(expected[2 * (row + 32)], 0.8f);
+            EXPECT_GT(expected[2 * (row + 62)], expected[2 * (row + 32)] + 0.1f);
+        }
+}
+
+// Depth that is broken in one frame, in every way and all over: the outputs are numbers in [0,1] then, and
+// the frame after is that of a recorder that has seen nothing of it but the reset.
+TEST_P(LightingTest, brokenDepthIsGoneInTheNextFrame) {
+    const Extent extent{32, 32};
+    const float infinity = std::numeric_limits<float>::infinity();
+    for (const float broken : {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, -1.0f, 1e38f}) {
+        auto recorder = makeRecorder(info(with(still, &SceneNeeds::ambientOcclusion), extent));
+        TestFrame frame(extent);
+        for (uint64_t n = 0; n < 6; ++n) {
+            frame.fill(frame.depth, n == 3 ? broken : 0.5f);
+            const auto lighting = lightingOf(recorder, frame.input(n));
+            for (size_t i = 0; i < lighting.size(); ++i) {
+                ASSERT_TRUE(lighting[i] >= 0.0f && lighting[i] <= 1.0f) << broken << ", frame " << n;
+                if (n != 3 && i % 2 == 0) {
+                    ASSERT_NEAR(lighting[i], 1.0f, 2e-3f) << broken << ", frame " << n;
+                }
+            }
+        }
+    }
+}
+
+// Every combination of needs and steps, three frames of each in one command buffer, where synchronization
+// validation sees hazards between frames too.
+TEST_P(LightingTest, everyPlanRecords) {
+    const Extent extent{33, 17};
+    TestFrame frame(extent);
+    for (int bits = 0; bits < 256; ++bits) {
+        const auto bit = [&](int i) { return (bits >> i & 1) != 0; };
+        const SceneNeeds needs{.antiAliasing = bit(0),
+                               .cameraMoves = bit(1),
+                               .objectsMove = bit(2),
+                               .engineWritesMotion = bit(3),
+                               .ambientOcclusion = true};
+        auto wanted =
+            info(needs, extent,
+                 {.ratio = bit(4) ? 4u : 2u, .history = bit(5), .filter = bit(6), .filtersHistory = bit(7)});
+        wanted.needs.antiAliasing = bit(0);
+        auto recorder = makeRecorder(wanted);
+        testGpu().run([&](VkCommandBuffer commands) {
+            for (uint64_t n = 0; n < 2; ++n) {
+                const auto output = recorder.record(commands, frame.input(n));
+                ASSERT_TRUE(output) << output.error().message << " needs " << bits;
+                EXPECT_EQ(output->colour.image != VK_NULL_HANDLE, needs.antiAliasing);
+                ASSERT_TRUE(output->lighting);
+                EXPECT_EQ(output->lighting->extent.width, extent.width);
+            }
+        });
+    }
+}
+
+TEST_P(LightingTest, missingAndMisfitInputsAreNamed) {
+    const Extent extent{16, 16};
+    auto recorder = makeRecorder(info(with(still, &SceneNeeds::cachedValue), extent));
+    TestFrame frame(extent);
+    const auto missing = recordOne(recorder, frame.input(0));
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().code, ErrorCode::missingInput);
+    EXPECT_NE(missing.error().message.find("FrameInput::fresh"), std::string::npos)
+        << missing.error().message;
+    FreshValue fresh(extent, 4);
+    fresh.fill(0.5f, 1.0f);
+    auto input = frame.input(0);
+    input.fresh = fresh.image.ref;
+    const auto misfit = recordOne(recorder, input);
+    ASSERT_FALSE(misfit);
+    EXPECT_NE(misfit.error().message.find("8x8"), std::string::npos) << misfit.error().message;
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, LightingTest, testing::Values(Stage::fragment, Stage::compute),
+                         [](const auto& each) {
+                             return each.param == Stage::fragment ? "fragment" : "compute";
+                         });
+
+} // namespace
