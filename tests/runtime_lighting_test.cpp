@@ -118,7 +118,7 @@ TEST_P(LightingTest, aResetForgetsAndSoDoesAChangeThatIsSeen) {
     EXPECT_NEAR(after(true, false), 0.75f, 2e-3f);
 }
 
-// The corner between two walls, beside the middle lest two sides be equal, as a camera of that convention of
+// The corner between two walls, planes in space as a camera of that convention of
 // depth sees it: the same occlusion in each, and less light in the corner than beside it.
 TEST_P(LightingTest, aCornerIsTheSameInEveryConventionAndSize) {
     for (const Extent extent : {Extent{1, 1}, Extent{7, 5}, Extent{65, 64}})
@@ -144,7 +144,9 @@ TEST_P(LightingTest, aCornerIsTheSameInEveryConventionAndSize) {
                 std::vector<float> depths;
                 for (uint32_t i = 0; i < extent.width * extent.height; ++i) {
                     const double x = 2.0 * (i % extent.width + 0.5) / extent.width - 1.0;
-                    const double depth = 1.2 - std::abs(x - 0.13), clip = m[2][2] * depth + m[3][2];
+                    const double side = std::abs(x - 0.13),
+                                 depth = orthographic ? 1.2 - 0.9 * side : 1.2 / (1.0 + 0.9 * side);
+                    const double clip = m[2][2] * depth + m[3][2];
                     depths.push_back(static_cast<float>(needs.linearDepth ? depth
                                                         : orthographic    ? clip
                                                                           : clip / depth));
