@@ -12,6 +12,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
+#include <tuple>
 
 namespace {
 
@@ -376,6 +378,78 @@ TEST(RayTruth, reportsTheWholeOfItsProgress) {
     truth.sun(0, grid, {.rays = 1}, [&](double part) { sun += part; });
     EXPECT_NEAR(occlusion, 1.0, 1e-9);
     EXPECT_NEAR(sun, 1.0, 1e-9);
+}
+
+scenes::Scene hallNamed(const std::string& name) {
+    for (scenes::Scene& scene : scenes::lightingScenes())
+        if (scene.name == name) return scene;
+    throw std::runtime_error("There is no scene " + name);
+}
+
+// Mean way over the screen, in pixels of 640x360, of what stands still and is in view of both frames.
+double meanMotionPx(const scenes::Scene& scene, RayTruth& truth, int frame) {
+    const PixelGrid wide{64, 36};
+    const auto depth = truth.linearDepth(frame, wide);
+    const auto now = scenes::cameraAt(scene, frame, 16.0 / 9.0),
+               before = scenes::cameraAt(scene, frame - 1, 16.0 / 9.0);
+    const glm::dvec4 viewRay = reprise::viewRay(now.viewToClip);
+    const glm::dmat4 toPrevious = before.viewToClip * before.worldToView * glm::inverse(now.worldToView);
+    double sum = 0.0;
+    size_t count = 0;
+    for (size_t i = 0; i < depth.size(); ++i) {
+        if (depth[i] >= skyLinearDepth) continue;
+        const glm::dvec2 uv =
+            (glm::dvec2(i % wide.width, i / wide.width) + 0.5) / glm::dvec2(wide.width, wide.height);
+        const glm::dvec2 ray = glm::dvec2(viewRay) * uv + glm::dvec2(viewRay.z, viewRay.w);
+        const double z = depth[i];
+        const glm::dvec4 clip = toPrevious * glm::dvec4(ray * z, z, 1.0);
+        const glm::dvec2 previousUv = glm::dvec2(clip.x, -clip.y) / clip.w * 0.5 + 0.5;
+        sum += glm::length((uv - previousUv) * glm::dvec2(640, 360));
+        ++count;
+    }
+    return sum / double(count);
+}
+
+TEST(LightingScenes, moveTheirCamerasByTheSpeedsThatTheyName) {
+    const std::tuple<const char*, double, double> speeds[] = {{"hall_static", 0.0, 0.0},
+                                                              {"hall_slow_pan", 1.6, 2.4},
+                                                              {"hall_fast_pan", 15.0, 20.0},
+                                                              {"hall_moving", 0.4, 1.6},
+                                                              {"hall_removed", 0.0, 0.0}};
+    for (const auto& [name, least, most] : speeds) {
+        const scenes::Scene scene = hallNamed(name);
+        EXPECT_EQ(scene.cameraMoves, most > 0.0);
+        RayTruth truth(scene);
+        for (const int frame : {1, 8, 16, 24, 31}) {
+            const double motion = meanMotionPx(scene, truth, frame);
+            EXPECT_GE(motion, least - 1e-3) << name << ", frame " << frame;
+            EXPECT_LE(motion, most + 1e-3) << name << ", frame " << frame;
+        }
+    }
+}
+
+TEST(LightingScenes, changeAtTheEventAndNotBeside) {
+    const scenes::Scene scene = hallNamed("hall_removed");
+    const PixelGrid wide{64, 36};
+    RayTruth truth(scene);
+    const auto shareThatDiffers = [&](int first, int second) {
+        const auto depthA = truth.linearDepth(first, wide), depthB = truth.linearDepth(second, wide);
+        const auto occlusionA = truth.occlusion(first, wide, {.rays = 64}),
+                   occlusionB = truth.occlusion(second, wide, {.rays = 64});
+        const auto sunA = truth.sun(first, wide, {.rays = 64}).visibility,
+                   sunB = truth.sun(second, wide, {.rays = 64}).visibility;
+        glm::dvec2 differs(0.0);
+        for (size_t i = 0; i < depthA.size(); ++i)
+            if (depthA[i] == depthB[i]) // the crate itself apart: where a history of the surface is at hand
+                differs += glm::dvec2(std::abs(occlusionA[i] - occlusionB[i]) > 0.05,
+                                      std::abs(sunA[i] - sunB[i]) > 0.5);
+        return differs / double(depthA.size());
+    };
+    EXPECT_EQ(shareThatDiffers(10, 11), glm::dvec2(0.0));
+    EXPECT_EQ(shareThatDiffers(12, 13), glm::dvec2(0.0));
+    const glm::dvec2 event = shareThatDiffers(11, 12);
+    EXPECT_GT(event.x, 0.005) << "occlusion";
+    EXPECT_GT(event.y, 0.005) << "shadow";
 }
 
 TEST(RayTruth, takesASceneOfNothing) {
