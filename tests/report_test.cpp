@@ -309,6 +309,8 @@ TEST(Arguments, sizesAreCheckedInOneSentence) {
 
 TEST(Arguments, unknownNamesListTheKnownOnes) {
     EXPECT_NE(std::string::npos, messageOf([] { findScene("no_such_scene"); }).find("thin_geometry"));
+    EXPECT_NE(std::string::npos, messageOf([] { findScene("no_such_scene"); }).find("hall_removed"));
+    EXPECT_EQ(findScene("hall_removed").name, "hall_removed");
     EXPECT_NE(std::string::npos, messageOf([] { parseStages("pixel"); }).find("fragment, compute, both"));
     ReportOptions options;
     options.technique = "magic";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes and loader, without a device. The loader must end every damaged file in one sentence: run it with
 // REPRISE_SANITIZE=address,undefined too.
+#include "frame_data.hpp"
 #include "scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -90,8 +91,40 @@ TEST(BuiltInScenes, areSixSoundOnesOfAtMostSixtyThousandTriangles) {
                                                "static_camera", "camera_cut"}));
 }
 
+TEST(LightingScenes, areFiveSoundHallsOfAtMostSixtyThousandTriangles) {
+    std::vector<std::string> names;
+    for (const Scene& scene : scenes::lightingScenes()) {
+        names.push_back(scene.name);
+        expectSound(scene);
+        EXPECT_LE(drawnTriangles(scene), 60000u) << scene.name;
+        EXPECT_FALSE(scene.shows.empty());
+        EXPECT_EQ(scene.eventFrame, scene.name == "hall_removed" ? 12 : -1);
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"hall_static", "hall_slow_pan", "hall_fast_pan", "hall_moving",
+                                               "hall_removed"}));
+    EXPECT_EQ(scenes::allScenes().size(), scenes::builtInScenes().size() + names.size());
+}
+
+TEST(LightingScenes, loseOneObjectAtTheFrameTheyName) {
+    for (const Scene& scene : scenes::lightingScenes()) {
+        int lost = 0;
+        for (const auto& instance : scene.instances) {
+            for (int frame = 1; frame < 64; ++frame) {
+                const auto isThere = [&](int at) {
+                    return scenes::isPresent(instance.objectToWorld(at / scene.framesPerSecond));
+                };
+                if (isThere(frame - 1) == isThere(frame)) continue;
+                EXPECT_EQ(frame, scene.eventFrame);
+                EXPECT_TRUE(isThere(0)) << "it appears instead";
+                ++lost;
+            }
+        }
+        EXPECT_EQ(lost, scene.eventFrame < 0 ? 0 : 1) << scene.name;
+    }
+}
+
 TEST(BuiltInScenes, windTheirTrianglesAroundTheirNormals) {
-    for (const Scene& scene : scenes::builtInScenes()) {
+    for (const Scene& scene : scenes::allScenes()) {
         if (scene.name == "foliage") continue; // its normals are bent on purpose
         for (const auto& mesh : scene.meshes) {
             for (size_t i = 0; i < mesh.indices.size(); i += 3) {

@@ -26,7 +26,7 @@ std::optional<uint32_t> number(std::string_view text) {
 
 std::vector<std::string> sceneNames() {
     std::vector<std::string> names;
-    for (const scenes::Scene& scene : scenes::builtInScenes())
+    for (const scenes::Scene& scene : scenes::allScenes())
         names.push_back(scene.name);
     return names;
 }
@@ -96,7 +96,7 @@ std::vector<reprise::Stage> parseStages(const std::string& text) {
 }
 
 scenes::Scene findScene(const std::string& nameOrFile) {
-    for (scenes::Scene& scene : scenes::builtInScenes())
+    for (scenes::Scene& scene : scenes::allScenes())
         if (scene.name == nameOrFile) return std::move(scene);
     const std::filesystem::path file = findModel(nameOrFile);
     if (file.empty())

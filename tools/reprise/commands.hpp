@@ -40,9 +40,11 @@ struct PlanOptions {
 };
 
 struct RenderOptions {
-    std::string scene, size = "640x360", device;
+    std::string scene, size = "640x360", device, show = "colour";
     int frame = 0;
     bool truth = false;
+    double radius = 1.0; // of occlusion, metres
+    uint32_t rays = 256; // a pixel
     std::filesystem::path out;
 };
 

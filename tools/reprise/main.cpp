@@ -71,6 +71,10 @@ void addRender(CLI::App& app, RenderOptions& o, std::function<void()>& run) {
     command->add_option("--device", o.device, "Part of a device's name, or its index");
     command->add_option("--out", o.out, "The PNG file")->required();
     command->add_flag("--truth", o.truth, "64 samples per pixel instead of one");
+    command->add_option("--show", o.show, "colour; or, by ray casting, occlusion or sun")
+        ->capture_default_str();
+    command->add_option("--radius", o.radius, "Of occlusion, metres")->capture_default_str();
+    command->add_option("--rays", o.rays, "Per pixel, of occlusion and sun")->capture_default_str();
     command->callback([&] { run = [&o] { renderCommand(o); }; });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.hpp"
+#include "truth.hpp"
 
 #include <stdexcept>
 
@@ -104,6 +105,37 @@ struct Instance {
     Instance& operator=(const Instance&) = delete;
 };
 
+Picture greyPicture(Size size, const std::vector<float>& values) {
+    Picture picture{size.width, size.height, {}};
+    for (float value : values)
+        picture.rgb.insert(picture.rgb.end(), 3, value);
+    return picture;
+}
+
+Picture castPicture(const RenderOptions& options, const scenes::Scene& scene, Size size) {
+    if (options.show != "occlusion" && options.show != "sun")
+        throw std::runtime_error(fmt::format("--show {} is not one of colour, occlusion, sun", options.show));
+    RayTruth truth(scene);
+    const PixelGrid grid{size.width, size.height};
+    Progress progress(1.0);
+    const auto onPart = [&](double part) { progress.step(part, scene.name + ", " + options.show); };
+    const auto values =
+        options.show == "sun"
+            ? truth.sun(options.frame, grid, {.rays = options.rays}, onPart).visibility
+            : truth.occlusion(options.frame, grid, {.radius = options.radius, .rays = options.rays}, onPart);
+    progress.finish();
+    return greyPicture(size, values);
+}
+
+Picture renderedPicture(const RenderOptions& options, const scenes::Scene& scene, Size size) {
+    harness::Gpu gpu({.device = options.device});
+    scenes::Renderer renderer(gpu, scene, size.width, size.height);
+    if (options.truth) return {size.width, size.height, renderer.groundTruth(options.frame, 64)};
+    auto frames =
+        renderFrames(gpu, renderer, static_cast<uint32_t>(options.frame), 1, reprise::JitterSequence::none);
+    return displayPicture(gpu, frames.front().colour);
+}
+
 reprise::SceneNeeds everything() {
     reprise::SceneNeeds needs;
     needs.skinnedMeshes = needs.fastMotion = true;
@@ -143,7 +175,7 @@ void listCommand() {
     for (const auto& pass : shaders.pack().passes())
         printPass(shaders.pack(), pass);
     fmt::print("Scenes:\n");
-    for (const scenes::Scene& scene : scenes::builtInScenes())
+    for (const scenes::Scene& scene : scenes::allScenes())
         fmt::print("  {}: {}\n", scene.name, scene.shows);
     fmt::print("Devices:\n");
     for (const std::string& line : deviceLines())
@@ -164,16 +196,8 @@ void renderCommand(const RenderOptions& options) {
     const Size size = parseSize(options.size);
     const scenes::Scene scene = findScene(options.scene);
     printNotes(scene);
-    harness::Gpu gpu({.device = options.device});
-    scenes::Renderer renderer(gpu, scene, size.width, size.height);
-    Picture picture{size.width, size.height, {}};
-    if (options.truth) {
-        picture.rgb = renderer.groundTruth(options.frame, 64);
-    } else {
-        auto frames = renderFrames(gpu, renderer, static_cast<uint32_t>(options.frame), 1,
-                                   reprise::JitterSequence::none);
-        picture = displayPicture(gpu, frames.front().colour);
-    }
+    const Picture picture =
+        options.show == "colour" ? renderedPicture(options, scene, size) : castPicture(options, scene, size);
     const auto png = pngOf(picture);
     writeFile(options.out, {reinterpret_cast<const char*>(png.data()), png.size()});
 }

@@ -8,4 +8,16 @@ std::vector<Scene> builtInScenes() {
             build::foliage(),      build::staticCamera(), build::cameraCut()};
 }
 
+std::vector<Scene> lightingScenes() {
+    return {build::hallStatic(), build::hallSlowPan(), build::hallFastPan(), build::hallMoving(),
+            build::hallRemoved()};
+}
+
+std::vector<Scene> allScenes() {
+    std::vector<Scene> all = builtInScenes();
+    for (Scene& scene : lightingScenes())
+        all.push_back(std::move(scene));
+    return all;
+}
+
 } // namespace scenes

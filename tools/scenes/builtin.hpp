@@ -16,6 +16,11 @@ Scene hdrEmitters();
 Scene foliage();
 Scene staticCamera();
 Scene cameraCut();
+Scene hallStatic();
+Scene hallSlowPan();
+Scene hallFastPan();
+Scene hallMoving();
+Scene hallRemoved();
 
 inline int addTexture(Scene& scene, Texture texture) {
     scene.textures.push_back(std::move(texture));

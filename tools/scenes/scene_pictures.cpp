@@ -119,7 +119,7 @@ Options parse(int count, char** arguments) {
 }
 
 std::vector<scenes::Scene> chosenScenes(const Options& options) {
-    std::vector<scenes::Scene> all = scenes::builtInScenes(), chosen;
+    std::vector<scenes::Scene> all = scenes::allScenes(), chosen;
     if (options.names.empty()) return all;
     for (const std::string& name : options.names) {
         const auto found = std::ranges::find(all, name, &scenes::Scene::name);

@@ -73,13 +73,19 @@ struct Scene {
     double verticalFov = 0.9;
     double nearPlane = 0.1, farPlane = 200.0;
     bool cameraMoves = true;
-    int cutFrame = -1; // frame at which the camera jumps, or -1
+    int cutFrame = -1;   // frame at which the camera jumps, or -1
+    int eventFrame = -1; // first frame without an object that was there before, or -1
 };
 
 inline constexpr size_t maxLights = 4;
 
 // thin_geometry, fast_object, hdr_emitters, foliage, static_camera, camera_cut
 std::vector<Scene> builtInScenes();
+// hall_static, hall_slow_pan, hall_fast_pan, hall_moving, hall_removed: what occlusion and the sun's shadow are
+// measured on.
+std::vector<Scene> lightingScenes();
+// Both lists, builtInScenes() first.
+std::vector<Scene> allScenes();
 // glTF, GLB, OBJ. One sentence on failure; never throws, never reads out of bounds.
 reprise::Result<Scene> loadScene(const std::filesystem::path& file);
 
