@@ -41,7 +41,7 @@ fs::path findModel(const std::string& name) {
     return {};
 }
 
-// The report has images of the frame's own extent: no data for a pass with a coarse one.
+// Passes with a coarse image are measured in the frame that they are steps of: "occlusion".
 bool hasData(const reprise::PassInfo& pass) {
     const auto isWhole = [](const reprise::ImageInfo& image) { return image.scale == 1.0f; };
     return std::ranges::all_of(pass.inputs, isWhole) && std::ranges::all_of(pass.outputs, isWhole);
@@ -51,6 +51,7 @@ std::vector<std::string> techniqueNames(const reprisec::Pack& pack) {
     std::vector<std::string> names;
     for (const auto& pass : pack.passes())
         if (pass.name != "fullscreen" && hasData(pass)) names.emplace_back(pass.name);
+    names.emplace_back("occlusion");
     return names;
 }
 
@@ -120,6 +121,9 @@ Plan makePlan(const ReportOptions& options, const reprisec::Pack& pack) {
     plan.techniques = chosenTechniques(options.technique, pack);
     plan.flipped = chosenFlips(options.flips, pack);
     plan.timingOnly = options.timingOnly;
+    plan.quick = options.quick;
+    plan.truthRays = options.quick ? 64 : 256;
+    plan.truthFrames = options.quick ? 4 : 8;
     plan.errorSize = options.quick ? Size{320, 180} : Size{640, 360};
     plan.timingSize = {1280, 720};
     if (!options.size.empty()) plan.errorSize = plan.timingSize = parseSize(options.size);
@@ -127,6 +131,7 @@ Plan makePlan(const ReportOptions& options, const reprisec::Pack& pack) {
     plan.rounds = options.quick ? 9 : 15;
     for (const std::string& name : options.scenes)
         plan.scenes.push_back(findScene(name));
+    plan.lightingScenes = plan.scenes.empty() ? scenes::lightingScenes() : plan.scenes;
     if (plan.scenes.empty()) plan.scenes = scenes::builtInScenes();
     return plan;
 }

@@ -6,6 +6,9 @@
 #include "frame_parameters.hpp"
 #include "plan_images.hpp"
 
+#include <algorithm>
+#include <array>
+#include <memory>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -19,6 +22,17 @@ using reprise::Stage;
 template <class T> T orThrow(reprise::Result<T> result) {
     if (!result) throw std::runtime_error(result.error().message);
     return std::move(*result);
+}
+
+// Two frames that take turns, so that history is reprojected. They are kept for as long as sections run.
+struct TimedInput {
+    std::vector<RenderedFrame> rendered;
+    std::array<reprise::FrameInput, 2> frames;
+    Size size;
+};
+
+std::string floorOf(const std::string& section) {
+    return "floor of " + section;
 }
 
 // The images of a plan, of history both, and the engine's.
@@ -125,37 +139,142 @@ std::vector<std::byte> parametersOf(const PlannedPass& pass, const reprise::Fram
     return reprise::cacheParameters(name, pass.run, input.frames[1], frame);
 }
 
-} // namespace
-
-std::string floorOf(const std::string& section) {
-    return "floor of " + section;
-}
-
+// Sections for the frame as the recorder records it, and for each pass alone. label: unique.
 TimedPlan addPlan(Experiment& e, Stopwatch& watch, const std::string& label, const reprise::SceneNeeds& needs,
-                  const reprise::Settings& settings, const TimedInput& input) {
-    reprise::FrameRecorder::CreateInfo info;
-    info.needs = needs;
-    info.settings = settings;
-    info.extent = {input.size.width, input.size.height};
-    auto recorder = std::make_shared<reprise::FrameRecorder>(orThrow(
-        reprise::FrameRecorder::create(e.gpu.device(), e.shaders.pack().passes(), e.shaders.source(), info)));
-    TimedPlan timed;
-    timed.section = label;
-    timed.plan = recorder->plan();
+                  const reprise::Settings& settings, const std::shared_ptr<TimedInput>& input,
+                  bool withPasses) {
+    auto recorder = std::make_shared<reprise::FrameRecorder>(orThrow(reprise::FrameRecorder::create(
+        e.gpu.device(), e.shaders.pack().passes(), e.shaders.source(),
+        {.needs = needs, .settings = settings, .extent = {input->size.width, input->size.height}})));
+    TimedPlan timed{label, {}, recorder->plan()};
     auto index = std::make_shared<uint64_t>(0);
     watch.addSection(label, [recorder, index, input](VkCommandBuffer commands) {
-        reprise::FrameInput frame = input.frames[*index % 2];
+        reprise::FrameInput frame = input->frames[*index % 2];
         frame.frameIndex = (*index)++;
         auto recorded = recorder->record(commands, frame);
         if (!recorded) throw std::runtime_error(recorded.error().message);
     });
-    const auto images = makeImages(e.gpu, timed.plan, input.frames[1]);
+    if (!withPasses) return timed;
+    const auto images = makeImages(e.gpu, timed.plan, input->frames[1]);
     for (const PlannedPass& pass : timed.plan.passes) {
-        const std::string run = pass.run.empty() ? "" : " " + std::string(pass.run);
+        const std::string run = pass.run.empty() ? "" : ", " + std::string(pass.run);
         timed.passes.push_back(fmt::format("{}: {}{}", label, pass.variant.pass->name, run));
-        addPass(e, watch, timed.passes.back(), pass, images, parametersOf(pass, timed.plan, needs, input));
+        addPass(e, watch, timed.passes.back(), pass, images, parametersOf(pass, timed.plan, needs, *input));
     }
     return timed;
+}
+
+constexpr uint32_t timedFrame = 8;
+
+std::shared_ptr<TimedInput> renderInput(Experiment& e, const scenes::Scene& scene) {
+    auto input = std::make_shared<TimedInput>();
+    input->size = e.plan.timingSize;
+    scenes::Renderer renderer(e.gpu, scene, input->size.width, input->size.height);
+    input->rendered = renderFrames(e.gpu, renderer, timedFrame - 1, 2, reprise::JitterSequence::none);
+    for (size_t i = 0; i < 2; ++i) {
+        RenderedFrame& frame = input->rendered[i];
+        input->frames[i].camera = frame.camera;
+        input->frames[i].depth = frame.depth.ref;
+        input->frames[i].motion = frame.motion.ref;
+    }
+    return input;
+}
+
+// What a scene's needs make different.
+std::pair<bool, bool> kindOf(const scenes::Scene& scene) {
+    return {scene.cameraMoves, objectsMove(scene)};
+}
+
+double readsOf(Experiment& e, const reprise::FramePlan& plan) {
+    double reads = 0.0;
+    for (const PlannedPass& pass : plan.passes) {
+        const auto& output = plan.images[static_cast<size_t>(pass.writeImages.front())];
+        const auto& last = plan.images[static_cast<size_t>(plan.passes.back().writeImages.front())];
+        const double share = double(output.extent.width) * output.extent.height /
+                             (double(last.extent.width) * last.extent.height);
+        reads += share *
+                 readsPerPixel(pass.variant, pass.stage, e.shaders.get(pass.variant, pass.stage).reflection);
+    }
+    return reads;
+}
+
+void fill(Row& row, Experiment& e, const Stopwatch& watch, const TimedLighting& each) {
+    row.gpu = watch.timing(each.timed.section);
+    row.perNineTaps = row.gpu->min / watch.floorOf("nine taps", each.stage).min;
+    row.perCopy = row.gpu->min / watch.floorOf("copy", each.stage).min;
+    row.memoryBytes = each.timed.plan.bytes;
+    row.readsPerPixel = readsOf(e, each.timed.plan);
+    for (const std::string& pass : each.timed.passes)
+        row.passes.push_back({pass.substr(pass.rfind(": ") + 2), watch.timing(pass).median});
+}
+
+Row passRow(Experiment& e, const Stopwatch& watch, const TimedLighting& each, size_t index) {
+    const PlannedPass& pass = each.timed.plan.passes[index];
+    const std::string& section = each.timed.passes[index];
+    Row row;
+    row.technique = pass.variant.pass->name;
+    row.variant = reprise::variantName(pass.variant).substr(row.technique.size());
+    row.variant =
+        fmt::format("{}{}{}", each.spec.label, row.variant.empty() ? "" : ", " + row.variant.substr(2),
+                    pass.run.empty() ? "" : ", " + std::string(pass.run));
+    row.scene = e.plan.lightingScenes[each.scene].name;
+    row.stage = stageText(pass.stage);
+    row.file = reprise::spirvFileName(pass.variant, pass.stage);
+    row.width = e.plan.timingSize.width;
+    row.height = e.plan.timingSize.height;
+    row.errorWidth = e.plan.errorSize.width;
+    row.errorHeight = e.plan.errorSize.height;
+    row.errorUnit = "visibility";
+    row.gpu = watch.timing(section);
+    row.floorMs = watch.timing(floorOf(section)).min;
+    row.efficiency = *row.floorMs / row.gpu->min;
+    row.perNineTaps = row.gpu->min / watch.floorOf("nine taps", each.stage).min;
+    row.perCopy = row.gpu->min / watch.floorOf("copy", each.stage).min;
+    row.passes = {{row.technique, row.gpu->median}};
+    row.readsPerPixel =
+        readsPerPixel(pass.variant, pass.stage, e.shaders.get(pass.variant, pass.stage).reflection);
+    return row;
+}
+
+} // namespace
+
+std::vector<TimedLighting> addLighting(Experiment& e, Stopwatch& watch) {
+    std::vector<TimedLighting> all;
+    std::vector<std::pair<bool, bool>> kinds;
+    for (size_t index = 0; index < e.plan.lightingScenes.size(); ++index) {
+        const scenes::Scene& scene = e.plan.lightingScenes[index];
+        if (std::ranges::find(kinds, kindOf(scene)) != kinds.end()) continue;
+        kinds.push_back(kindOf(scene));
+        const auto input = renderInput(e, scene);
+        for (const Cached cached : cachedOf(e.plan))
+            for (const Stage stage : e.plan.stages)
+                for (const LightingSpec& spec : lightingRows(cached, e.plan.quick)) {
+                    const std::string label = fmt::format("{}, {}, {}, {}", cachedName(cached), spec.label,
+                                                          scene.name, stageText(stage));
+                    // Each pass alone where the document has it: a camera that moves, on its own and on the
+                    // first.
+                    all.push_back({spec, stage, index,
+                                   addPlan(e, watch, label, needsOf(spec, scene), settingsOf(spec, stage),
+                                           input, isChiefLighting(spec.label))});
+                }
+    }
+    return all;
+}
+
+void fillLighting(Experiment& e, const Stopwatch& watch, const std::vector<TimedLighting>& timed) {
+    for (const TimedLighting& each : timed) {
+        const scenes::Scene& scene = e.plan.lightingScenes[each.scene];
+        if (e.plan.timingOnly)
+            e.report.rows.push_back(lightingRow(e, each.spec, each.spec.cached, each.stage, scene.name));
+        for (const scenes::Scene& other : e.plan.lightingScenes)
+            for (Row& row : e.report.rows)
+                if (kindOf(other) == kindOf(scene) && row.scene == other.name &&
+                    row.technique == cachedName(each.spec.cached) && row.variant == each.spec.label &&
+                    row.stage == stageText(each.stage))
+                    fill(row, e, watch, each);
+        for (size_t pass = 0; pass < each.timed.passes.size(); ++pass)
+            e.report.rows.push_back(passRow(e, watch, each, pass));
+    }
 }
 
 } // namespace report

@@ -2,29 +2,25 @@
 // Times of whole frame plans and of each of their passes, beside the passes' own floors.
 #pragma once
 
-#include "experiment.hpp"
-
-#include <array>
+#include "lighting_rows.hpp"
 
 namespace report {
 
-// Two frames that take turns, so that history is reprojected, and what the engine gives beside them.
-struct TimedInput {
-    std::array<reprise::FrameInput, 2> frames;
-    Size size;
-};
-
 struct TimedPlan {
-    std::string section; // of the whole frame
-    std::vector<std::string>
-        passes; // section of each pass of the plan, with its floor under floorOf(section)
+    std::string section;             // of the whole frame
+    std::vector<std::string> passes; // section of each pass of the plan alone, if they were asked for
     reprise::FramePlan plan;
 };
-std::string floorOf(const std::string& section);
 
-// Adds sections for the frame as the recorder records it, and for each pass alone. label: unique.
-TimedPlan addPlan(Experiment& experiment, Stopwatch& watch, const std::string& label,
-                  const reprise::SceneNeeds& needs, const reprise::Settings& settings,
-                  const TimedInput& input);
+// A row of the framework, timed on a scene: scenes with the same needs share it.
+struct TimedLighting {
+    LightingSpec spec;
+    reprise::Stage stage;
+    size_t scene = 0; // of Plan::lightingScenes
+    TimedPlan timed;
+};
+std::vector<TimedLighting> addLighting(Experiment& experiment, Stopwatch& watch);
+// Times, memory and reads into the rows; rows of each pass alone, with its floor.
+void fillLighting(Experiment& experiment, const Stopwatch& watch, const std::vector<TimedLighting>& timed);
 
 } // namespace report

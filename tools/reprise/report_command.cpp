@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.hpp"
+#include "lighting_rows.hpp"
 #include "page.hpp"
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -21,11 +23,15 @@ std::string sizeText(Size size) {
 
 Json settingsJson(const Plan& plan, const reprisec::Pack& pack, bool quick) {
     Json scenes = Json::array(), presets = Json::array(), stages = Json::array();
-    for (const scenes::Scene& scene : plan.scenes)
-        scenes.push_back({{"name", scene.name},
-                          {"shows", scene.shows},
-                          {"cut_frame", scene.cutFrame},
-                          {"notes", scene.notes}});
+    std::set<std::string> named;
+    for (const auto* list : {&plan.scenes, &plan.lightingScenes})
+        for (const scenes::Scene& scene : *list)
+            if (named.insert(scene.name).second)
+                scenes.push_back({{"name", scene.name},
+                                  {"shows", scene.shows},
+                                  {"cut_frame", scene.cutFrame},
+                                  {"event_frame", scene.eventFrame},
+                                  {"notes", scene.notes}});
     for (const auto& preset : pack.presets("temporal_aa"))
         presets.push_back(preset.name);
     for (reprise::Stage stage : plan.stages)
@@ -41,6 +47,8 @@ Json settingsJson(const Plan& plan, const reprisec::Pack& pack, bool quick) {
             {"frames", plan.frames},
             {"warm_up_frames", warmUpFrames},
             {"truth_samples", plan.truthSamples},
+            {"truth_rays", plan.truthRays},
+            {"occlusion_radius_metres", occlusionRadius},
             {"timing_rounds", plan.rounds},
             {"flip_pixels_per_degree", flipPixelsPerDegree},
             {"display", "x / (1 + x) per channel of linear colour; FLIP of its sRGB encoding"}};
@@ -60,6 +68,7 @@ void printRow(const Row& r) {
 
 // What a reader of the terminal wants first; the files always have all.
 bool isChief(const Row& row, const reprisec::Pack& pack) {
+    if (row.errorUnit == "visibility") return isChiefLighting(row.variant);
     if (row.pareto.value_or(false) || row.variant == "none" || row.technique != "temporal_aa") return true;
     const auto presets = pack.presets("temporal_aa");
     return std::any_of(presets.begin(), presets.end(), [&](const auto& p) { return p.name == row.variant; });
@@ -100,6 +109,9 @@ void measure(Experiment& e) {
         if (e.plan.has("temporal_aa")) measureTemporal(e, renderer);
         if (e.plan.has("camera_velocity") || e.plan.has("object_velocity")) measureVelocity(e, renderer);
     }
+    if (e.plan.hasLighting())
+        for (const scenes::Scene& scene : e.plan.lightingScenes)
+            measureLighting(e, scene);
     measureTimes(e);
 }
 

@@ -25,8 +25,13 @@ bool comparable(const Row& a, const Row& b) {
     return a.technique == b.technique && a.scene == b.scene && a.stage == b.stage;
 }
 
+// The error that a front is of: FLIP of colours, RMSE of scalars.
+std::optional<double> frontError(const Row& row) {
+    return row.error.flip ? row.error.flip : row.errorUnit == "visibility" ? row.error.rmse : std::nullopt;
+}
+
 bool dominates(const Row& a, const Row& b) {
-    const double ta = a.gpu->median, tb = b.gpu->median, ea = *a.error.flip, eb = *b.error.flip;
+    const double ta = a.gpu->median, tb = b.gpu->median, ea = *frontError(a), eb = *frontError(b);
     return ta <= tb && ea <= eb && (ta < tb || ea < eb);
 }
 
@@ -65,6 +70,7 @@ Json rowJson(const Row& row) {
     json["per_copy"] = orNull(row.perCopy);
     json["passes"] = std::move(passes);
     json["memory_bytes"] = orNull(row.memoryBytes);
+    json["trailing_frames"] = orNull(row.trailingFrames);
     json["reads_per_pixel"] = orNull(row.readsPerPixel);
     json["error"] = {{"flip", orNull(row.error.flip)},
                      {"rmse", orNull(row.error.rmse)},
@@ -102,13 +108,13 @@ template <class T> std::string csvNumber(const std::optional<T>& value) {
 std::string csvRow(const Row& r) {
     std::optional<double> min, median, max;
     if (r.gpu) min = r.gpu->min, median = r.gpu->median, max = r.gpu->max;
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                        csvText(r.technique), csvText(r.variant), csvText(r.scene), r.stage, r.jitter, r.width,
                        r.height, r.frames, csvNumber(min), csvNumber(median), csvNumber(max),
                        csvNumber(r.floorMs), csvNumber(r.efficiency), csvNumber(r.memoryBytes),
                        csvNumber(r.readsPerPixel), csvNumber(r.error.flip), csvNumber(r.error.rmse),
-                       csvNumber(r.error.max), csvNumber(r.error.flicker), r.notFinite,
-                       r.pareto ? (*r.pareto ? "1" : "0") : "");
+                       csvNumber(r.error.max), csvNumber(r.error.flicker), csvNumber(r.trailingFrames),
+                       r.notFinite, r.pareto ? (*r.pareto ? "1" : "0") : "");
 }
 
 // A directory beside the final one, so that the rename stays on one file system.
@@ -136,7 +142,7 @@ void writeAll(const Report& report, const fs::path& folder) {
 } // namespace
 
 void markPareto(std::vector<Row>& rows) {
-    const auto complete = [](const Row& r) { return r.gpu && r.error.flip; };
+    const auto complete = [](const Row& r) { return r.gpu && frontError(r); };
     for (Row& row : rows) {
         if (!complete(row)) continue;
         row.pareto = std::none_of(rows.begin(), rows.end(), [&](const Row& other) {
@@ -166,7 +172,8 @@ Json toJson(const Report& report) {
 std::string toCsv(const Report& report) {
     std::string csv =
         "technique,variant,scene,stage,jitter,width,height,frames,gpu_ms_min,gpu_ms_median,gpu_ms_max,"
-        "floor_ms,efficiency,memory_bytes,reads_per_pixel,flip,rmse,max,flicker,not_finite,pareto\n";
+        "floor_ms,efficiency,memory_bytes,reads_per_pixel,flip,rmse,max,flicker,trailing_frames,not_finite,"
+        "pareto\n";
     for (const Row& row : report.rows)
         csv += csvRow(row);
     return csv;

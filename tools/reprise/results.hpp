@@ -50,6 +50,7 @@ struct Row {
     std::vector<PassTime> passes;
     std::optional<uint64_t> memoryBytes;
     std::optional<double> readsPerPixel;
+    std::optional<double> trailingFrames; // of lighting, after an occluder has gone
     Errors error;
     uint64_t notFinite = 0; // NaN or infinite values in the output; the errors are null then
     std::string errorUnit;  // "display" or "pixels"

@@ -105,9 +105,9 @@ void addErrors(Row& row, const std::vector<Picture>& pictures, const GroundTruth
 
 uint64_t memoryOf(Experiment& e, const reprise::Variant& variant, Stage stage) {
     const auto& pack = e.shaders.pack();
-    const auto plan =
-        reprise::plan(pack.passes(), pack.presets("temporal_aa"), needsOfReport(),
-                      settingsOf(variant, stage, "inside"), {e.plan.timingSize.width, e.plan.timingSize.height});
+    const auto plan = reprise::plan(pack.passes(), pack.presets("temporal_aa"), needsOfReport(),
+                                    settingsOf(variant, stage, "inside"),
+                                    {e.plan.timingSize.width, e.plan.timingSize.height});
     if (!plan) throw std::runtime_error(plan.error().message);
     return plan->bytes;
 }
@@ -134,17 +134,6 @@ Row rowFor(Experiment& e, const RowSpec& spec, Stage stage, const std::string& s
         row.readsPerPixel = 0.0;
     }
     return row;
-}
-
-void keepPicture(Report& report, const std::string& scene, const std::string& name, const Picture& picture,
-                 uint32_t frame) {
-    auto found = std::find_if(report.pictures.begin(), report.pictures.end(),
-                              [&](const Pictures& p) { return p.scene == scene; });
-    if (found == report.pictures.end()) {
-        report.pictures.push_back({.scene = scene, .frame = frame, .png = {}});
-        found = std::prev(report.pictures.end());
-    }
-    if (!found->png.contains(name)) found->png[name] = pngOf(picture);
 }
 
 bool isPictured(const RowSpec& spec, const reprisec::Pack& pack) {
@@ -177,8 +166,24 @@ std::vector<std::pair<RowSpec, Stage>> rowsOf(const Plan& plan, const Shaders& s
 
 } // namespace
 
+// The first picture of a name is the one that is kept.
+void keepPicture(Report& report, const std::string& scene, const std::string& name, const Picture& picture,
+                 uint32_t frame) {
+    auto found = std::find_if(report.pictures.begin(), report.pictures.end(),
+                              [&](const Pictures& p) { return p.scene == scene; });
+    if (found == report.pictures.end()) {
+        report.pictures.push_back({.scene = scene, .frame = frame, .png = {}});
+        found = std::prev(report.pictures.end());
+    }
+    if (!found->png.contains(name)) found->png[name] = pngOf(picture);
+}
+
 bool Plan::has(std::string_view technique) const {
     return std::find(techniques.begin(), techniques.end(), technique) != techniques.end();
+}
+
+bool Plan::hasLighting() const {
+    return has("occlusion") || has("shadow");
 }
 
 reprise::FrameRecorder makeRecorder(Experiment& e, const reprise::SceneNeeds& needs,
@@ -200,7 +205,7 @@ double plannedWork(const Plan& plan, const Shaders& shaders) {
                     (plan.truthSamples + static_cast<double>(rowsOf(plan, shaders, scene.cutFrame).size()));
         if (plan.has("camera_velocity") || plan.has("object_velocity")) work += plan.frames;
     }
-    return work;
+    return work + lightingWork(plan);
 }
 
 void measureTemporal(Experiment& e, scenes::Renderer& renderer) {

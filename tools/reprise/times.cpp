@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment.hpp"
+#include "lighting_times.hpp"
 #include "object_times.hpp"
 
 #include "reprise/camera.hpp"
@@ -157,6 +158,7 @@ void measureTimes(Experiment& e) {
     for (const auto& [variant, stage] : requests)
         watch.addPass(variant, stage, timed.data);
     const auto objects = addObjectSections(e, watch, timedFrame);
+    const auto lighting = addLighting(e, watch);
     watch.run(e.plan.rounds, e.progress, workPerTimingRound);
     e.report.floors = watch.floors();
     const std::string scene = sceneToTime(e.plan).name;
@@ -167,6 +169,7 @@ void measureTimes(Experiment& e) {
         fillRows(e, section.variant, Stage::fragment, section.scene, true, [&](Row& row) {
             addTimes(row, watch.timing(section.name), watch.timing(section.floorName));
         });
+    fillLighting(e, watch, lighting);
 }
 
 } // namespace report

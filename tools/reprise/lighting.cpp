@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+// Errors of the framework on the scenes made for it, against ray casting and against what the technique
+// itself converges to.
+#include "experiment.hpp"
+#include "lighting_rows.hpp"
+#include "truth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace report {
+namespace {
+
+using reprise::Stage;
+
+// One channel of a frame, a value per pixel.
+using Values = std::vector<float>;
+
+// What is true of a frame. A frame that looks like the one before shares it.
+struct TrueFrame {
+    std::shared_ptr<const Values> values;
+    std::shared_ptr<const std::vector<uint8_t>> counts; // pixels that are compared
+};
+
+// A scene that stands still but for its event changes there alone.
+bool looksLikeTheFrameBefore(const scenes::Scene& scene, uint32_t frame) {
+    if (frame == 0 || scene.cameraMoves) return false;
+    return scene.eventFrame >= 0 ? static_cast<int>(frame) != scene.eventFrame : !objectsMove(scene);
+}
+
+// Frames that are compared: all where truth is cheap, else the last few.
+std::vector<uint32_t> comparedFrames(const scenes::Scene& scene, const Plan& plan) {
+    std::vector<uint32_t> frames;
+    const uint32_t last = plan.frames > plan.truthFrames ? plan.frames - plan.truthFrames : 0;
+    for (uint32_t frame = 0; frame < plan.frames; ++frame)
+        if (frame >= last || (!scene.cameraMoves && (scene.eventFrame >= 0 || !objectsMove(scene))))
+            frames.push_back(frame);
+    return frames;
+}
+
+using Truth = std::vector<std::optional<TrueFrame>>;
+
+TrueFrame trueFrame(RayTruth& rays, Cached cached, int frame, PixelGrid grid, const Plan& plan) {
+    TrueFrame made;
+    const Values depth = rays.linearDepth(frame, grid);
+    std::vector<uint8_t> counts(depth.size());
+    for (size_t i = 0; i < depth.size(); ++i)
+        counts[i] = depth[i] < skyLinearDepth ? 1 : 0;
+    if (cached == Cached::occlusion) {
+        made.values = std::make_shared<Values>(rays.occlusion(
+            frame, grid,
+            {.radius = double(occlusionRadius), .rays = plan.truthRays, .falloff = Falloff::quadratic}));
+    } else {
+        SunTruth sun = rays.sun(frame, grid, {.discRadians = sunDiscRadians, .rays = plan.truthRays});
+        for (size_t i = 0; i < counts.size(); ++i)
+            counts[i] = counts[i] && sun.facesSun[i] ? 1 : 0;
+        made.values = std::make_shared<Values>(std::move(sun.visibility));
+    }
+    made.counts = std::make_shared<std::vector<uint8_t>>(std::move(counts));
+    return made;
+}
+
+Truth castTruth(Experiment& e, const scenes::Scene& scene, Cached cached) {
+    RayTruth rays(scene);
+    Truth truth(e.plan.frames);
+    const PixelGrid grid{e.plan.errorSize.width, e.plan.errorSize.height};
+    for (const uint32_t frame : comparedFrames(scene, e.plan)) {
+        const bool same = looksLikeTheFrameBefore(scene, frame) && truth[frame - 1];
+        truth[frame] = same ? truth[frame - 1]
+                            : std::optional(trueFrame(rays, cached, static_cast<int>(frame), grid, e.plan));
+        e.progress.step(same ? 0.0 : workPerTruth, scene.name + ", ground truth by rays");
+    }
+    return truth;
+}
+
+// --- Rows
+
+Values channelOf(const std::vector<float>& texels, size_t channel) {
+    Values values;
+    for (size_t i = channel; i < texels.size(); i += 2)
+        values.push_back(texels[i]);
+    return values;
+}
+
+// Every frame's channels, of one technique or of both.
+using Channels = std::vector<std::vector<Values>>; // by channel, by frame
+
+Channels run(Experiment& e, const LightingSpec& spec, const scenes::Scene& scene, Stage stage,
+             std::vector<RenderedFrame>& frames) {
+    auto recorder = makeRecorder(e, needsOf(spec, scene), settingsOf(spec, stage));
+    Channels channels(spec.cached == Cached::both ? 2 : 1);
+    for (uint32_t index = 0; index < frames.size(); ++index) {
+        reprise::FrameInput input;
+        input.frameIndex = index;
+        input.camera = frames[index].camera;
+        input.depth = frames[index].depth.ref;
+        input.motion = frames[index].motion.ref;
+        input.cache = spec.tuning;
+        reprise::ImageRef lighting;
+        e.gpu.run([&](VkCommandBuffer commands) {
+            auto recorded = recorder.record(commands, input);
+            if (!recorded) throw std::runtime_error(recorded.error().message);
+            lighting = recorded->lighting.value();
+        });
+        harness::Image image = borrowed(lighting);
+        const auto texels = e.gpu.downloadFloats(image);
+        for (size_t channel = 0; channel < channels.size(); ++channel)
+            channels[channel].push_back(channelOf(texels, channel));
+    }
+    return channels;
+}
+
+// Of the pixels that count.
+Values picked(const Values& values, const std::vector<uint8_t>& counts) {
+    Values result;
+    for (size_t i = 0; i < values.size(); ++i)
+        if (counts[i]) result.push_back(values[i]);
+    return result;
+}
+
+std::vector<uint8_t> shared(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
+    std::vector<uint8_t> result(a.size());
+    std::transform(a.begin(), a.end(), b.begin(), result.begin(), std::bit_and<>());
+    return result;
+}
+
+// Frames until what the event changed has come to within a tenth of where it ends, in the mean over the
+// pixels whose truth changed by more than a tenth; nothing where nothing did.
+std::optional<double> trailingFrames(const scenes::Scene& scene, const Truth& truth,
+                                     const std::vector<Values>& frames) {
+    const auto event = static_cast<size_t>(scene.eventFrame);
+    if (scene.eventFrame < 1 || event + 1 >= frames.size() || !truth[event - 1] || !truth[event]) return {};
+    const Values &before = *truth[event - 1]->values, &after = *truth[event]->values;
+    double start = 0.0;
+    std::vector<double> left(frames.size() - event);
+    for (size_t i = 0; i < before.size(); ++i) {
+        if (!(*truth[event]->counts)[i] || std::abs(after[i] - before[i]) <= 0.1f) continue;
+        const double sign = after[i] > before[i] ? 1.0 : -1.0, end = frames.back()[i];
+        start += sign * (end - double(frames[event - 1][i]));
+        for (size_t k = 0; k < left.size(); ++k)
+            left[k] += sign * (end - double(frames[event + k][i]));
+    }
+    if (start <= 0.0) return {};
+    size_t last = 0; // the last frame that is still farther away
+    for (size_t k = 0; k < left.size(); ++k)
+        if (std::abs(left[k]) > 0.1 * start) last = k + 1;
+    return static_cast<double>(last);
+}
+
+void addErrors(Row& row, const scenes::Scene& scene, const Truth& truth, const std::vector<Values>& frames) {
+    double sum = 0.0, largest = 0.0;
+    size_t count = 0;
+    Flicker flicker;
+    for (size_t frame = 0; frame < frames.size(); ++frame) {
+        row.notFinite += countNotFinite(frames[frame]);
+        if (!truth[frame]) continue;
+        const Values test = picked(frames[frame], *truth[frame]->counts);
+        const Values reference = picked(*truth[frame]->values, *truth[frame]->counts);
+        const Difference d = difference(reference, test);
+        row.rmsePerFrame.push_back(d.rmse);
+        const bool settled = frame >= warmUpFrames;
+        if (settled) {
+            sum += d.rmse;
+            largest = std::max(largest, d.max);
+            ++count;
+        }
+        if (!settled || !truth[frame - 1]) continue;
+        const auto both = shared(*truth[frame - 1]->counts, *truth[frame]->counts);
+        flicker.add(picked(*truth[frame - 1]->values, both), picked(*truth[frame]->values, both),
+                    picked(frames[frame - 1], both), picked(frames[frame], both));
+    }
+    if (row.notFinite > 0 || count == 0) return;
+    row.error.rmse = sum / static_cast<double>(count);
+    row.error.max = largest;
+    row.error.flicker = flicker.value();
+    row.trailingFrames = trailingFrames(scene, truth, frames);
+}
+
+// Visibility as grey: the eye sees it as evenly as the numbers run.
+Picture greyPicture(const Values& values, Size size) {
+    Picture picture{size.width, size.height, {}};
+    for (const float value : values)
+        picture.rgb.insert(picture.rgb.end(), 3, std::pow(std::clamp(value, 0.0f, 1.0f), 2.2f));
+    return picture;
+}
+
+} // namespace
+
+Row lightingRow(Experiment& e, const LightingSpec& spec, Cached measured, Stage stage,
+                const std::string& scene) {
+    Row row;
+    row.technique = cachedName(measured);
+    row.variant = spec.cached == Cached::both ? "both, " + spec.label : spec.label;
+    row.scene = scene;
+    row.stage = stageText(stage);
+    row.jitter = "none";
+    row.width = e.plan.timingSize.width;
+    row.height = e.plan.timingSize.height;
+    row.errorWidth = e.plan.errorSize.width;
+    row.errorHeight = e.plan.errorSize.height;
+    row.frames = e.plan.frames;
+    row.errorUnit = "visibility";
+    row.reference = fmt::format("{} rays a pixel", e.plan.truthRays);
+    return row;
+}
+
+double lightingWork(const Plan& plan) {
+    if (plan.timingOnly) return 0.0;
+    double work = 0.0;
+    for (const scenes::Scene& scene : plan.lightingScenes)
+        for (const Cached cached : cachedOf(plan)) {
+            const auto rows =
+                static_cast<double>(lightingRows(cached, plan.quick).size() * plan.stages.size());
+            work += rows * plan.frames;
+            for (const uint32_t frame : comparedFrames(scene, plan))
+                work += looksLikeTheFrameBefore(scene, frame) ? 0.0 : workPerTruth;
+        }
+    return work;
+}
+
+void measureLighting(Experiment& e, const scenes::Scene& scene) {
+    if (e.plan.timingOnly) return;
+    const std::vector<Cached> measured = cachedOf(e.plan);
+    scenes::Renderer renderer(e.gpu, scene, e.plan.errorSize.width, e.plan.errorSize.height);
+    auto frames = renderFrames(e.gpu, renderer, 0, e.plan.frames, reprise::JitterSequence::none);
+    for (const Cached cached : measured) {
+        const Truth truth = castTruth(e, scene, cached);
+        keepPicture(e.report, scene.name, cachedName(cached) + ", truth",
+                    greyPicture(*truth.back()->values, e.plan.errorSize), e.plan.frames - 1);
+        for (const Stage stage : e.plan.stages)
+            for (const LightingSpec& spec : lightingRows(cached, e.plan.quick)) {
+                const Channels channels = run(e, spec, scene, stage, frames);
+                Row row = lightingRow(e, spec, cached, stage, scene.name);
+                addErrors(row, scene, truth, channels.front());
+                if (isChiefLighting(spec.label) || getenv("ALLPIC"))
+                    keepPicture(e.report, scene.name, cachedName(cached) + ", " + spec.label,
+                                greyPicture(channels.front().back(), e.plan.errorSize), e.plan.frames - 1);
+                e.report.rows.push_back(std::move(row));
+                e.progress.step(e.plan.frames, scene.name + ", " + spec.label);
+            }
+    }
+}
+
+} // namespace report

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which rows a report has of the framework: what is cached, and one thing changed at a time.
+#pragma once
+
+#include "experiment.hpp"
+
+#include <string>
+#include <vector>
+
+namespace report {
+
+enum class Cached { occlusion, shadow, both };
+std::vector<Cached> cachedOf(const Plan& plan); // those of its techniques
+std::string cachedName(Cached cached); // the rows' technique: "occlusion", "shadow", "occlusion and shadow"
+
+struct LightingSpec {
+    Cached cached = Cached::occlusion;
+    std::string label; // "framework", "framework + samples 8", "reference"
+    reprise::CacheSettings cache;
+    reprise::CacheTuning tuning;
+    std::vector<reprise::Condition> overrides;
+};
+
+bool isChiefLighting(const std::string& variant);
+
+// Metres, of what occludes: of the rows and of their ground truth.
+inline constexpr float occlusionRadius = 1.0f;
+// Radians, of the sun's disc: three times the real one's, a hazy day's, so that halls of metres have penumbrae.
+inline constexpr double sunDiscRadians = 0.014;
+
+// The framework as it is by default, the document's reference, and each step changed or left out. quick:
+// those that claims need.
+std::vector<LightingSpec> lightingRows(Cached cached, bool quick);
+bool objectsMove(const scenes::Scene& scene);
+// What the runtime is asked for.
+reprise::SceneNeeds needsOf(const LightingSpec& spec, const scenes::Scene& scene);
+reprise::Settings settingsOf(const LightingSpec& spec, reprise::Stage stage);
+
+// A row without measurements; `measured` is what its errors are of.
+Row lightingRow(Experiment& experiment, const LightingSpec& spec, Cached measured, reprise::Stage stage,
+                const std::string& scene);
+
+} // namespace report
