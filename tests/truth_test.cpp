@@ -162,6 +162,21 @@ TEST(OcclusionTruth, knowsTheSkyAndTheDepthOfThePlane) {
     EXPECT_TRUE(onFloor(scene, 0, depth.size() - 1));
 }
 
+TEST(OcclusionTruth, looksThroughTheCentresOfCoarseTexels) {
+    scenes::Scene scene = lookingAt({0, 1, 0}, {0, 0.5, -2});
+    addFloor(scene);
+    RayTruth truth(scene);
+    // Three texels of four pixels over eleven by nine; the centre of the middle one is at (6, 6).
+    const auto coarse = truth.linearDepth(0, {11, 9, 4});
+    ASSERT_EQ(coarse.size(), 9u);
+    const auto camera = scenes::cameraAt(scene, 0, 11.0 / 9.0);
+    const glm::dvec4 viewRay = reprise::viewRay(camera.viewToClip);
+    const glm::dvec2 ray =
+        glm::dvec2(viewRay) * glm::dvec2(6.0 / 11, 6.0 / 9) + glm::dvec2(viewRay.z, viewRay.w);
+    const glm::dvec3 perDepth = glm::dmat3(glm::inverse(camera.worldToView)) * glm::dvec3(ray, 1.0);
+    EXPECT_NEAR(coarse[4], -1.0 / perDepth.y, 1e-6); // from 1 m above the floor
+}
+
 // A roof over x < 0 at this height above the floor, seen from below.
 scenes::Scene underARoof(double height) {
     scenes::Scene scene = lookingAt({0.0, 1.0, 2.0}, {0, 0, 0});
@@ -473,9 +488,12 @@ TEST(RayTruth, refusesWhatHasNoMeaningInOneSentence) {
     };
     const std::string messages[] = {
         message([&] {
-            truth.linearDepth(0, {0, 5});
+            truth.linearDepth(0, {4, 5, 0});
         }),
         message([&] { truth.linearDepth(-1, grid); }),
+        message([&] {
+            truth.linearDepth(0, {0, 5});
+        }),
         message([&] { truth.occlusion(0, grid, {.radius = 0.0}); }),
         message([&] { truth.occlusion(0, grid, {.radius = std::nan("")}); }),
         message([&] { truth.occlusion(0, grid, {.rays = 0}); }),
