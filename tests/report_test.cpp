@@ -311,6 +311,11 @@ TEST(Arguments, unknownNamesListTheKnownOnes) {
     EXPECT_NE(std::string::npos, messageOf([] { findScene("no_such_scene"); }).find("thin_geometry"));
     EXPECT_NE(std::string::npos, messageOf([] { findScene("no_such_scene"); }).find("hall_removed"));
     EXPECT_EQ(findScene("hall_removed").name, "hall_removed");
+    EXPECT_NE(std::string::npos,
+              messageOf([] {
+                  renderCommand(
+                      {.scene = "hall_static", .size = "4x4", .show = "depth", .out = "unused.png"});
+              }).find("colour, occlusion, sun"));
     EXPECT_NE(std::string::npos, messageOf([] { parseStages("pixel"); }).find("fragment, compute, both"));
     ReportOptions options;
     options.technique = "magic";
@@ -352,6 +357,21 @@ TEST(ParallelFor, doesAllAndThrowsTheFirstFailure) {
                   });
               }));
     parallelFor(0, [](size_t) { FAIL(); });
+}
+
+TEST(Render, writesTheGroundTruthWithoutADevice) {
+    const TemporaryFolder folder;
+    for (const char* what : {"occlusion", "sun"}) {
+        const fs::path file = folder.path / (std::string(what) + ".png");
+        renderCommand({.scene = "hall_static",
+                       .size = "32x18",
+                       .device = "no such device",
+                       .show = what,
+                       .rays = 4,
+                       .out = file});
+        EXPECT_EQ(contents(file).substr(1, 3), "PNG");
+    }
+    EXPECT_NE(contents(folder.path / "occlusion.png"), contents(folder.path / "sun.png"));
 }
 
 } // namespace

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # Gathers one folder that runs on any machine with a Vulkan loader and driver:
-# cmake -DPROGRAM=... -DSOURCE=... -DOUT=... -DSTRIP=... -P portable.cmake
+# cmake -DPROGRAM=... -DSOURCE=... -DOUT=... -DSTRIP=... -DEMBREE=... -P portable.cmake
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE "${OUT}")
 file(MAKE_DIRECTORY "${OUT}/bin" "${OUT}/lib" "${OUT}/share/reprise/scenes")
 
 # glibc and the Vulkan loader belong to the machine: the one to its kernel, the other to its driver.
-file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${PROGRAM}"
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${PROGRAM}" LIBRARIES "${EMBREE}"
     RESOLVED_DEPENDENCIES_VAR libraries
     UNRESOLVED_DEPENDENCIES_VAR missing
     PRE_EXCLUDE_REGEXES "^linux-vdso" "^ld-linux" "^lib(c|m|dl|rt|pthread|resolv)\\.so" "^libvulkan\\.so"
@@ -25,6 +25,11 @@ file(GLOB binaries "${OUT}/bin/*" "${OUT}/lib/*.so*")
 foreach(binary ${binaries})
     execute_process(COMMAND "${STRIP}" --strip-unneeded "${binary}" COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
+
+# Packed, for it is 44 MB: the program unpacks it into memory when it casts rays.
+file(REAL_PATH "${EMBREE}" embree)
+file(ARCHIVE_CREATE OUTPUT "${OUT}/lib/libembree3.so.3.gz" PATHS "${embree}"
+    FORMAT raw COMPRESSION GZip COMPRESSION_LEVEL 9)
 
 file(COPY "${SOURCE}/hlsl" DESTINATION "${OUT}/share/reprise")
 file(COPY "${SOURCE}/generated" DESTINATION "${OUT}/share/reprise"

@@ -27,8 +27,19 @@ struct Surface {
 };
 
 void requireGrid(PixelGrid grid) {
-    if (grid.width == 0 || grid.height == 0)
-        throw std::runtime_error("The image of a ground truth must be at least 1x1");
+    if (grid.width == 0 || grid.height == 0 || grid.ratio == 0)
+        throw std::runtime_error("The image of a ground truth must be at least 1x1, and so must its texels");
+}
+
+struct Texels {
+    size_t width, height;
+    size_t count() const { return width * height; }
+};
+
+Texels texelsOf(PixelGrid grid) {
+    requireGrid(grid);
+    return {(size_t{grid.width} + grid.ratio - 1) / grid.ratio,
+            (size_t{grid.height} + grid.ratio - 1) / grid.ratio};
 }
 
 void requireRays(uint32_t rays) {
@@ -172,19 +183,20 @@ struct RayTruth::State {
     // work(pixel, surface) for every pixel, rows on all cores.
     template <class Work>
     void forEachPixel(int frame, PixelGrid grid, const OnPart& onPart, const Work& work) {
-        requireGrid(grid);
+        const Texels texels = texelsOf(grid);
         rays.setFrame(frame);
         const Viewer viewer = viewerAt(scene, frame, grid);
         std::mutex mutex;
-        parallelFor(grid.height, [&](size_t row) {
-            for (size_t column = 0; column < grid.width; ++column) {
+        parallelFor(texels.height, [&](size_t row) {
+            for (size_t column = 0; column < texels.width; ++column) {
                 const glm::dvec2 px(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
-                work(row * grid.width + column,
-                     surfaceAt(rays, viewer, px / glm::dvec2(grid.width, grid.height)));
+                const glm::dvec2 uv =
+                    px * static_cast<double>(grid.ratio) / glm::dvec2(grid.width, grid.height);
+                work(row * texels.width + column, surfaceAt(rays, viewer, uv));
             }
             if (!onPart) return;
             const std::lock_guard lock(mutex);
-            onPart(1.0 / grid.height);
+            onPart(1.0 / static_cast<double>(texels.height));
         });
     }
 };
@@ -193,7 +205,7 @@ RayTruth::RayTruth(const scenes::Scene& scene) : state_(std::make_unique<State>(
 RayTruth::~RayTruth() = default;
 
 std::vector<float> RayTruth::linearDepth(int frame, PixelGrid grid) {
-    std::vector<float> depth(size_t{grid.width} * grid.height);
+    std::vector<float> depth(texelsOf(grid).count());
     state_->forEachPixel(frame, grid, {}, [&](size_t pixel, const Surface& surface) {
         depth[pixel] = surface.isSky ? skyLinearDepth : static_cast<float>(surface.linearDepth);
     });
@@ -206,7 +218,7 @@ std::vector<float> RayTruth::occlusion(int frame, PixelGrid grid, const Occlusio
     if (!(settings.radius > 0.0 && settings.radius < 1e6))
         throw std::runtime_error(
             fmt::format("The radius of occlusion is {}; it must be above 0 and finite", settings.radius));
-    std::vector<float> visibility(size_t{grid.width} * grid.height);
+    std::vector<float> visibility(texelsOf(grid).count());
     state_->forEachPixel(frame, grid, onPart, [&](size_t pixel, const Surface& surface) {
         const double occluded = surface.isSky ? 0.0 : occlusionAt(state_->rays, surface, pixel, settings);
         visibility[pixel] = static_cast<float>(1.0 - occluded);
@@ -221,7 +233,7 @@ SunTruth RayTruth::sun(int frame, PixelGrid grid, const SunRays& settings, const
             "The sun's angular radius is {}; it must lie between 0 and pi / 2", settings.discRadians));
     const glm::dvec3 towardsSun = glm::normalize(glm::dvec3(state_->scene.sunDirection));
     const glm::dmat3 sunFrame = frameAround(towardsSun);
-    const size_t count = size_t{grid.width} * grid.height;
+    const size_t count = texelsOf(grid).count();
     SunTruth truth{std::vector<float>(count), std::vector<uint8_t>(count)};
     state_->forEachPixel(frame, grid, onPart, [&](size_t pixel, const Surface& surface) {
         const bool facesSun =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ground truth by ray casting for occlusion and for the sun's shadow, on the triangles of a scene with
-// Embree. Metres, radians; rows top to bottom; one value per pixel, at the first surface that the unjittered
-// camera of scenes::cameraAt sees through the pixel's centre. Every function throws std::runtime_error with
-// one sentence.
+// Embree. Metres, radians; rows top to bottom; one value per pixel or coarse texel, at the first surface that
+// the unjittered camera of scenes::cameraAt sees through its centre. Every function throws std::runtime_error
+// with one sentence.
 #pragma once
 
 #include "scenes.hpp"
@@ -15,7 +15,10 @@
 namespace report {
 
 struct PixelGrid {
-    uint32_t width = 0, height = 0; // also of a coarse image: its texels' centres are then looked through
+    uint32_t width = 0, height = 0; // of the frame
+    // Pixels per texel along an axis: the image has ceil(extent / ratio) texels, and the camera looks through
+    // their centres, of an odd extent's last ones beyond the frame.
+    uint32_t ratio = 1;
 };
 
 // What a surface at distance d from the point, within the radius, takes away.

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "converged.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace report {
+namespace {
+
+using reprise::Variant;
+
+constexpr float skyDepth = 65504.0f;                      // SKY_DEPTH of the pack
+constexpr uint32_t subsets = 16;                          // the most that subsetOfFrame() takes
+constexpr VkFormat valueFormat = VK_FORMAT_R32G32_SFLOAT; // the pass's own 16 bits would round each frame
+
+// The pass's defaults but for one switch.
+Variant variantOf(const Shaders& shaders, std::string_view pass, std::string_view name,
+                  std::string_view value) {
+    auto variant = reprise::makeVariant(shaders.pack().passes(), pass);
+    if (!variant) throw std::runtime_error(variant.error().message);
+    if (const auto set = reprise::setSwitch(*variant, name, value); !set)
+        throw std::runtime_error(set.error().message);
+    return *variant;
+}
+
+uint32_t texelsOf(uint32_t pixels, uint32_t ratio) {
+    return (pixels + ratio - 1) / ratio;
+}
+
+std::vector<float> floats(glm::dvec4 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z),
+            static_cast<float>(v.w)};
+}
+
+std::vector<float> sizeOf(uint32_t width, uint32_t height) {
+    return floats({width, height, 1.0 / width, 1.0 / height});
+}
+
+// Into a new image of `format`; the pass has one output.
+harness::Image runOnce(harness::Gpu& gpu, Shaders& shaders, const Variant& variant, reprise::Stage stage,
+                       const PassData& data, uint32_t width, uint32_t height, VkFormat format) {
+    const reprisec::Compiled& compiled = shaders.get(variant, stage);
+    harness::Image output = gpu.image(format, width, height);
+    std::vector<harness::PassRunner::Binding> bindings{{variant.pass->outputs.front().name, &output}};
+    for (const auto& [name, image] : data.images)
+        bindings.push_back({name, image});
+    const auto parameters =
+        packParameters(compiled.reflection, variant.pass->parameterBytes, data.parameters);
+    harness::PassRunner runner(gpu, variant, stage, compiled.spirv, shaders.fullscreenVertex(),
+                               std::vector{format});
+    gpu.run([&](VkCommandBuffer commands) { runner.record(commands, bindings, parameters); });
+    return output;
+}
+
+// Linear depth of the frame at its own resolution: depth_downsample starts at half.
+harness::Image fullDepth(harness::Gpu& gpu, RenderedFrame& frame, double farthest) {
+    const VkExtent2D extent = frame.depth.ref.extent;
+    const glm::dvec2 coefficients = reprise::linearDepthCoefficients(frame.camera.viewToClip);
+    std::vector<float> depth = gpu.downloadFloats(frame.depth);
+    for (float& value : depth) {
+        const double metres = 1.0 / (static_cast<double>(value) * coefficients.x + coefficients.y);
+        value = metres > 0.0 && metres < farthest ? static_cast<float>(metres) : skyDepth;
+    }
+    harness::Image image = gpu.image(VK_FORMAT_R32_SFLOAT, extent.width, extent.height);
+    gpu.uploadFloats(image, depth);
+    return image;
+}
+
+harness::Image coarseDepth(harness::Gpu& gpu, Shaders& shaders, RenderedFrame& frame,
+                           const OcclusionEstimate& estimate) {
+    const VkExtent2D extent = frame.depth.ref.extent;
+    const uint32_t width = texelsOf(extent.width, estimate.ratio),
+                   height = texelsOf(extent.height, estimate.ratio);
+    const glm::dvec2 coefficients = reprise::linearDepthCoefficients(frame.camera.viewToClip);
+    PassData data;
+    data.images = {{"gInDepth", &frame.depth}};
+    data.parameters = {
+        {"gInputSize", sizeOf(extent.width, extent.height)},
+        {"gOutputSize", sizeOf(width, height)},
+        {"gLinearDepth", {static_cast<float>(coefficients.x), static_cast<float>(coefficients.y)}},
+        {"gSkyDepth", {static_cast<float>(estimate.skyDepth)}}};
+    const Variant variant =
+        variantOf(shaders, "depth_downsample", "RATIO", fmt::format("{}", estimate.ratio));
+    return runOnce(gpu, shaders, variant, estimate.stage, data, width, height, VK_FORMAT_R32_SFLOAT);
+}
+
+} // namespace
+
+glm::dvec4 coarseViewRay(const reprise::CameraFrame& camera, VkExtent2D frame, uint32_t ratio) {
+    glm::dvec4 ray = reprise::viewRay(camera.viewToClip);
+    ray.x *= static_cast<double>(ratio) * texelsOf(frame.width, ratio) / frame.width;
+    ray.y *= static_cast<double>(ratio) * texelsOf(frame.height, ratio) / frame.height;
+    return ray;
+}
+
+std::vector<float> meanOverCycle(harness::Gpu& gpu, Shaders& shaders, const Variant& variant,
+                                 reprise::Stage stage, PassData data, uint32_t width, uint32_t height,
+                                 uint32_t count) {
+    std::vector<double> sums(size_t{width} * height);
+    for (uint32_t index = 0; index < count; ++index) {
+        data.parameters["gFrameIndex"] = {static_cast<float>(index)};
+        harness::Image output = runOnce(gpu, shaders, variant, stage, data, width, height, valueFormat);
+        const std::vector<float> values = gpu.downloadFloats(output);
+        for (size_t i = 0; i < sums.size(); ++i)
+            sums[i] += static_cast<double>(values[2 * i]);
+    }
+    std::vector<float> means(sums.size());
+    for (size_t i = 0; i < sums.size(); ++i)
+        means[i] = static_cast<float>(sums[i] / count);
+    return means;
+}
+
+Converged convergedOcclusion(harness::Gpu& gpu, Shaders& shaders, RenderedFrame& frame,
+                             const OcclusionEstimate& estimate) {
+    if (estimate.ratio != 1 && estimate.ratio != 2 && estimate.ratio != 4)
+        throw std::runtime_error(fmt::format(
+            "A converged estimate at a ratio of {} does not exist; it is 1, 2 or 4", estimate.ratio));
+    if (!(estimate.radius > 0.0 && estimate.skyDepth > 0.0))
+        throw std::runtime_error("Radius and sky depth of a converged estimate must be above 0");
+    harness::Image depth = estimate.ratio == 1 ? fullDepth(gpu, frame, estimate.skyDepth)
+                                               : coarseDepth(gpu, shaders, frame, estimate);
+    Converged converged;
+    converged.width = depth.ref.extent.width;
+    converged.height = depth.ref.extent.height;
+    converged.linearDepth = gpu.downloadFloats(depth);
+    PassData data;
+    data.images = {{"gInCoarseDepth", &depth}};
+    data.parameters = {
+        {"gOutputSize", sizeOf(converged.width, converged.height)},
+        {"gViewRay", floats(coarseViewRay(frame.camera, frame.depth.ref.extent, estimate.ratio))},
+        {"gRadius", {static_cast<float>(estimate.radius)}},
+        {"gSubsetCount", {static_cast<float>(subsets)}},
+        {"gBias", {static_cast<float>(estimate.bias.x), static_cast<float>(estimate.bias.y)}}};
+    const Variant variant = variantOf(shaders, "ambient_occlusion", "SAMPLES", "32");
+    converged.visibility = meanOverCycle(gpu, shaders, variant, estimate.stage, std::move(data),
+                                         converged.width, converged.height, subsets);
+    return converged;
+}
+
+} // namespace report
