@@ -91,8 +91,13 @@ std::string_view switchValue(const Variant& variant, std::string_view switchName
 }
 
 bool exists(const Variant& variant, const ImageInfo& image) {
-    return std::ranges::all_of(image.when, [&](const Condition& condition) {
+    const auto holds = [&](const Condition& condition) {
         return switchValue(variant, condition.switchName) == condition.value;
+    };
+    return std::ranges::all_of(image.when, [&](const Condition& condition) {
+        return std::ranges::any_of(image.when, [&](const Condition& alternative) {
+            return alternative.switchName == condition.switchName && holds(alternative);
+        });
     });
 }
 
@@ -100,7 +105,7 @@ double scaleOf(const Variant& variant, const ImageInfo& image) {
     const std::string_view ratio = switchValue(variant, "RATIO");
     int divisor = 0;
     std::from_chars(ratio.data(), ratio.data() + ratio.size(), divisor);
-    return image.scale < 1.0f && divisor > 0 ? 1.0 / divisor : static_cast<double>(image.scale);
+    return image.scale > 0.0f && image.scale < 1.0f && divisor > 0 ? 1.0 / divisor : static_cast<double>(image.scale);
 }
 
 std::string variantName(const Variant& variant) {

@@ -103,6 +103,7 @@ Result<void> checkExtents(const Variant& variant, std::span<const ImageInfo> inf
         const ImageRef* image = findImage(images, info->name);
         if (image == nullptr) continue; // a buffer, or not used by the module
         const double scale = scaleOf(variant, *info);
+        if (scale == 0.0) continue; // an extent of its own
         if (!fits(image->extent.width, scale, extent.width, outputScale) ||
             !fits(image->extent.height, scale, extent.height, outputScale))
             return extentsDiffer(variant.pass->name, info->name, image->extent, extent);

@@ -50,9 +50,9 @@ struct ImageInfo {
     std::string_view name;           // gInColour, gOutHistory
     std::string_view space;          // meaning, space and unit
     std::string_view format;         // recommended: r32f, rg16f, rgba16f, rgba8
-    float scale;                     // share of the frame's extent; see scaleOf()
+    float scale;                     // share of the frame's extent, 0: one of its own; see scaleOf()
     std::string_view history;        // the output that becomes this input in the next frame, or empty
-    std::span<const Condition> when; // all must hold
+    std::span<const Condition> when; // all must hold; of those on one switch, one
     std::string_view sameAs;         // the input whose image this is too, under another filter, or empty
 };
 
