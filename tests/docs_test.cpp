@@ -55,7 +55,8 @@ const reprisec::Pack& pack() {
 }
 
 std::string pageOf(const PassInfo& pass) {
-    if (pass.name == "temporal_aa") return readText("docs/temporal_aa.md");
+    if (pass.name == "temporal_aa" || pass.name == "sun_shadow")
+        return readText("docs/" + std::string(pass.name) + ".md");
     return readText(pass.name.ends_with("_velocity") ? "docs/velocity.md" : "docs/ambient_occlusion.md");
 }
 

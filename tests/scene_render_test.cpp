@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the scene renderer writes beside colour, against the scene's own matrices in double precision.
+#include "frame_data.hpp"
 #include "renderer.hpp"
+
+#include "reprise/pack_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -262,6 +265,212 @@ TEST(GroundTruth, isTheMeanOfItsRenderingsWhereThereIsNoTexture) {
         sum += std::pow(mean[i] - truth[i], 2.0);
     // Two different sets of 64 points, each off by up to 1/64 at edges.
     EXPECT_LT(std::sqrt(sum / double(truth.size())), 0.008);
+}
+
+// --- The pass sun_shadow, fed with the renderer's shadow map
+
+enum class Sun { unknown, lit, shadowed };
+
+// A rendered frame and what sunVisibility of scene.hlsl says of it.
+struct SunFrame {
+    reprise::CameraFrame camera;
+    scenes::ShadowMap map;
+    std::vector<float> texels, depth; // of the shadow map; linear depth in metres
+    std::vector<glm::dvec3> normal;
+    std::vector<size_t> cascade; // as many as there are: beyond the last, or sky
+    std::vector<Sun> sun;
+};
+
+// One comparison of the point, moved along its normal.
+bool isLit(const SunFrame& frame, size_t cascade, glm::dvec3 world, glm::dvec3 normal) {
+    const glm::dvec3 receiver = world + normal * frame.map.texelMetres[cascade] * 1.8;
+    const glm::dvec3 light(frame.map.cascades[cascade].worldToClip * glm::dvec4(receiver, 1.0));
+    const auto side = int(frame.map.image->ref.extent.height);
+    const int x = std::clamp(int((light.x * 0.5 + 0.5) * side), 0, side - 1),
+              y = std::clamp(int((0.5 - light.y * 0.5) * side), 0, side - 1);
+    const size_t row = size_t(y) * frame.map.image->ref.extent.width;
+    return frame.texels[row + cascade * size_t(side) + size_t(x)] >= light.z;
+}
+
+// Lit or shadowed is what is so on all of the surface's plane around the point, as far as the pass's disc and
+// the offsets of both reach: where no penumbra is. Surfaces that the sun hardly meets are unknown.
+Sun hardSun(const SunFrame& frame, size_t cascade, glm::dvec3 world, glm::dvec3 normal, glm::dvec3 sun) {
+    const double cosine = glm::dot(normal, sun), texel = frame.map.texelMetres[cascade];
+    if (cosine < 0.2) return Sun::unknown;
+    const double metres = reprise::SunShadowTuning{}.radius / cosine + 4.0 * texel;
+    const glm::dvec3 other = std::abs(normal.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 across = glm::normalize(glm::cross(normal, other)), along = glm::cross(normal, across);
+    // Two points a texel, so that none between them is passed over.
+    const int reach = int(std::ceil(2.0 * metres / texel)), points = 2 * reach + 1;
+    int lit = 0;
+    for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j) {
+            const glm::dvec3 way = (across * double(i) + along * double(j)) * (metres / reach);
+            lit += isLit(frame, cascade, world + way, normal);
+        }
+    return lit == 0 ? Sun::shadowed : lit == points * points ? Sun::lit : Sun::unknown;
+}
+
+SunFrame sunFrame(scenes::Renderer& renderer, int index) {
+    const Picture picture = render(renderer, index);
+    SunFrame frame{
+        scenes::cameraAt(renderer.scene(), index, aspect), renderer.shadowMap(index), {}, {}, {}, {}, {}};
+    frame.texels = gpu().downloadFloats(*frame.map.image);
+    const glm::dvec2 linear = reprise::linearDepthCoefficients(frame.camera.viewToClip);
+    const glm::dvec3 sun = glm::normalize(glm::dvec3(renderer.scene().sunDirection));
+    for (size_t i = 0; i < picture.ids.size(); ++i) {
+        const bool isSky = picture.ids[i].x == 0;
+        frame.depth.push_back(isSky ? 65504.0f : float(1.0 / (picture.depth[i] * linear.x + linear.y)));
+        const float* const n = &picture.normal[i * 4];
+        frame.normal.push_back(isSky ? glm::dvec3(0.0) : glm::normalize(glm::dvec3(n[0], n[1], n[2])));
+        size_t cascade = 0;
+        while (cascade < frame.map.cascades.size() && frame.depth[i] > frame.map.cascades[cascade].farDepth)
+            ++cascade;
+        frame.cascade.push_back(cascade);
+        const glm::dvec3 world = worldAt(frame.camera, centre(i), picture.depth[i]);
+        frame.sun.push_back(cascade == frame.map.cascades.size()
+                                ? Sun::unknown
+                                : hardSun(frame, cascade, world, frame.normal[i], sun));
+    }
+    return frame;
+}
+
+// The nearest of each ratio x ratio pixels, as depth_downsample has it.
+std::vector<float> nearestDepth(const SunFrame& frame, uint32_t ratio) {
+    const uint32_t w = width / ratio;
+    std::vector<float> coarse(size_t(w) * (height / ratio), 65504.0f);
+    for (size_t i = 0; i < frame.depth.size(); ++i) {
+        float& nearest = coarse[i / width / ratio * w + i % width / ratio];
+        nearest = std::min(nearest, frame.depth[i]);
+    }
+    return coarse;
+}
+
+// Visibility and linear depth of every texel, from the default variant of generated/.
+std::vector<float> sunShadow(const SunFrame& frame, std::span<const float> depth, uint32_t ratio) {
+    const uint32_t w = width / ratio, h = height / ratio;
+    const auto variant = reprise::makeVariant(reprise::generated::passes, "sun_shadow");
+    const auto words = reprise::spirvFromDirectory("generated")(*variant, reprise::Stage::compute);
+    if (!words) throw std::runtime_error(words.error().message);
+    const VkFormat format = VK_FORMAT_R32G32_SFLOAT;
+    harness::PassRunner runner(gpu(), *variant, reprise::Stage::compute, *words, {}, {&format, 1});
+    harness::Image coarse = gpu().image(VK_FORMAT_R32_SFLOAT, w, h), shadow = gpu().image(format, w, h);
+    gpu().uploadFloats(coarse, depth);
+    const VkExtent2D map = frame.map.image->ref.extent;
+    auto made =
+        reprise::sunShadowParameters(frame.camera, {1.0, 1.0}, frame.map.cascades, map.width, map.height);
+    if (!made) throw std::runtime_error(made.error().message);
+    const float size[] = {float(w), float(h), 1.0f / float(w), 1.0f / float(h)};
+    std::copy(std::begin(size), std::end(size), made->gOutputSize);
+    made->gSubsetCount = 4.0f;
+    const harness::PassRunner::Binding images[] = {
+        {"gInCoarseDepth", &coarse}, {"gInShadowMap", frame.map.image}, {"gOutShadow", &shadow}};
+    gpu().run([&](VkCommandBuffer commands) {
+        runner.record(commands, images, std::as_bytes(std::span(&*made, 1)));
+    });
+    return gpu().downloadFloats(shadow);
+}
+
+// Whether the neighbours that are nearer in depth lie in the plane of the surface: of what is narrower than
+// two texels the pass cannot know the plane.
+bool isPlaneKnown(const SunFrame& frame, std::span<const float> depth, uint32_t ratio, size_t texel,
+                  glm::dvec3 normal) {
+    const int w = int(width / ratio), h = int(height / ratio), x = int(texel) % w, y = int(texel) / w;
+    const glm::dvec4 ray = reprise::viewRay(frame.camera.viewToClip);
+    const glm::dmat3 viewToWorld(glm::inverse(frame.camera.worldToView));
+    const auto point = [&](glm::ivec2 at) {
+        const double d = depth[size_t(at.y * w + at.x)];
+        const glm::dvec2 uv = (glm::dvec2(at) + 0.5) / glm::dvec2(w, h);
+        return viewToWorld * glm::dvec3((uv * glm::dvec2(ray) + glm::dvec2(ray.z, ray.w)) * d, d);
+    };
+    for (const glm::ivec2 step : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
+        double nearest = 1e30;
+        bool inPlane = false;
+        for (const int side : {-1, 1}) {
+            const glm::ivec2 at = glm::ivec2(x, y) + side * step;
+            if (at.x < 0 || at.y < 0 || at.x >= w || at.y >= h) continue;
+            const double difference = std::abs(depth[size_t(at.y * w + at.x)] - depth[texel]);
+            const glm::dvec3 way = point(at) - point({x, y});
+            if (difference < nearest) inPlane = std::abs(glm::dot(normal, way)) < 0.02 * glm::length(way);
+            nearest = std::min(nearest, difference);
+        }
+        if (!inPlane) return false;
+    }
+    return true;
+}
+
+struct SunCounts {
+    size_t lit[scenes::cascadeCount] = {}, shadowed[scenes::cascadeCount] = {}, wrong = 0;
+    std::string first; // of what is wrong
+};
+
+// Texels whose pixels agree on the sun and on the cascade.
+SunCounts compareSun(const SunFrame& frame, uint32_t ratio) {
+    const std::vector<float> depth = nearestDepth(frame, ratio), got = sunShadow(frame, depth, ratio);
+    const uint32_t w = width / ratio;
+    SunCounts counts;
+    for (size_t i = 0; i < depth.size(); ++i) {
+        const size_t first = i / w * ratio * width + i % w * ratio, last = first + (width + 1) * (ratio - 1);
+        const Sun expected = frame.sun[first];
+        bool agree = expected != Sun::unknown;
+        for (const size_t other : {first + ratio - 1, last - (ratio - 1), last})
+            agree = agree && frame.sun[other] == expected && frame.cascade[other] == frame.cascade[first];
+        if (!agree || !isPlaneKnown(frame, depth, ratio, i, frame.normal[first])) continue;
+        const bool lit = expected == Sun::lit;
+        ++(lit ? counts.lit : counts.shadowed)[frame.cascade[first]];
+        if (got[i * 2] == (lit ? 1.0f : 0.0f)) continue;
+        if (counts.wrong++ == 0)
+            counts.first = "texel (" + std::to_string(i % w) + ", " + std::to_string(i / w) +
+                           ") of cascade " + std::to_string(frame.cascade[first]) + " is " +
+                           std::to_string(got[i * 2]);
+    }
+    return counts;
+}
+
+// A low sun, so that shadows reach far.
+Scene sceneInTheEvening(const char* name) {
+    Scene scene = sceneNamed(name);
+    scene.sunDirection = glm::normalize(glm::vec3(0.6f, 0.35f, -0.3f));
+    return scene;
+}
+
+TEST(SceneSunShadow, ofThePassIsTheRenderersOwnWhereItIsHardInEveryCascade) {
+    gpu().takeValidationMessages();
+    for (const char* name : {"hdr_emitters", "camera_cut", "fast_object", "static_camera", "thin_geometry"}) {
+        const Scene scene = sceneInTheEvening(name);
+        scenes::Renderer renderer(gpu(), scene, width, height);
+        const SunFrame frame = sunFrame(renderer, 5);
+        for (const uint32_t ratio : {1u, 2u}) {
+            const SunCounts counts = compareSun(frame, ratio);
+            EXPECT_EQ(counts.wrong, 0u) << name << ", ratio " << ratio << ": " << counts.first;
+            if (scene.name != "hdr_emitters") continue;
+            for (size_t cascade = 0; cascade < frame.map.cascades.size(); ++cascade) {
+                EXPECT_GT(counts.lit[cascade], 20u / (ratio * ratio)) << cascade << ", ratio " << ratio;
+                EXPECT_GT(counts.shadowed[cascade], 40u) << cascade << ", ratio " << ratio;
+            }
+        }
+    }
+    for (const std::string& message : gpu().takeValidationMessages())
+        ADD_FAILURE() << message;
+}
+
+// A map whose y runs the other way, columns in another order, and a camera that is not the frame's.
+TEST(SceneSunShadow, ofAnotherMapOrCameraIsCaught) {
+    const Scene scene = sceneInTheEvening("hdr_emitters");
+    scenes::Renderer renderer(gpu(), scene, width, height);
+    const SunFrame frame = sunFrame(renderer, 5);
+    SunFrame wrong = frame;
+    glm::dmat4 flip(1.0);
+    flip[1][1] = -1.0;
+    for (auto& cascade : wrong.map.cascades)
+        cascade.worldToClip = flip * cascade.worldToClip;
+    EXPECT_GT(compareSun(wrong, 1).wrong, 100u);
+    wrong = frame;
+    std::swap(wrong.map.cascades[1].worldToClip, wrong.map.cascades[2].worldToClip);
+    EXPECT_GT(compareSun(wrong, 1).wrong, 100u);
+    wrong = frame;
+    wrong.camera = scenes::cameraAt(scene, 60, aspect);
+    EXPECT_GT(compareSun(wrong, 1).wrong, 20u);
 }
 
 TEST(SceneRenderer, drawsEverySceneWithoutAWordFromValidation) {

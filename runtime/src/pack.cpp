@@ -3,8 +3,8 @@
 #include "reprise/pack.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
+#include <cctype>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -20,17 +20,13 @@ template <class Range> std::string listNames(const Range& items) {
     std::string text;
     for (const auto& item : items) {
         if (!text.empty()) text += ", ";
-        if constexpr (requires { item.name; })
-            text += item.name;
-        else
-            text += item;
+        if constexpr (requires { item.name; }) text += item.name;
+        else text += item;
     }
     return text.empty() ? "none" : text;
 }
 
-Error invalid(std::string message) {
-    return {ErrorCode::invalidArgument, std::move(message)};
-}
+Error invalid(std::string message) { return {ErrorCode::invalidArgument, std::move(message)}; }
 
 std::string lower(std::string_view text) {
     std::string result(text);
@@ -52,8 +48,7 @@ Result<std::vector<uint32_t>> readWords(const std::filesystem::path& file) {
     std::vector<uint32_t> words(bytes.size() / 4);
     std::memcpy(words.data(), bytes.data(), bytes.size());
     if (words[0] != spirvMagic)
-        return Error{ErrorCode::fileError,
-                     file.string() + " does not begin as SPIR-V does; generate it again"};
+        return Error{ErrorCode::fileError, file.string() + " does not begin as SPIR-V does; generate it again"};
     return words;
 }
 
@@ -64,8 +59,7 @@ Result<Variant> makeVariant(std::span<const PassInfo> passes, std::string_view p
     if (pass == passes.end())
         return invalid("there is no pass \"" + std::string(passName) + "\"; there are: " + listNames(passes));
     Variant variant{&*pass, {}};
-    for (const SwitchInfo& info : pass->switches)
-        variant.values.push_back(info.defaultValue);
+    for (const SwitchInfo& info : pass->switches) variant.values.push_back(info.defaultValue);
     return variant;
 }
 
@@ -97,9 +91,13 @@ std::string_view switchValue(const Variant& variant, std::string_view switchName
 }
 
 bool exists(const Variant& variant, const ImageInfo& image) {
+    const auto holds = [&](const Condition& condition) {
+        return switchValue(variant, condition.switchName) == condition.value;
+    };
     return std::ranges::all_of(image.when, [&](const Condition& condition) {
-        const bool other = condition.value.starts_with('!');
-        return (switchValue(variant, condition.switchName) == condition.value.substr(other ? 1 : 0)) != other;
+        return std::ranges::any_of(image.when, [&](const Condition& alternative) {
+            return alternative.switchName == condition.switchName && holds(alternative);
+        });
     });
 }
 
@@ -107,7 +105,7 @@ double scaleOf(const Variant& variant, const ImageInfo& image) {
     const std::string_view ratio = switchValue(variant, "RATIO");
     int divisor = 0;
     std::from_chars(ratio.data(), ratio.data() + ratio.size(), divisor);
-    return image.scale < 1.0f && divisor > 0 ? 1.0 / divisor : static_cast<double>(image.scale);
+    return image.scale > 0.0f && image.scale < 1.0f && divisor > 0 ? 1.0 / divisor : static_cast<double>(image.scale);
 }
 
 std::string variantName(const Variant& variant) {
@@ -127,8 +125,7 @@ Variant forStage(const Variant& variant, Stage stage) {
     if (!variant.pass) return result;
     for (size_t i = 0; i < variant.pass->switches.size(); ++i) {
         const SwitchInfo& info = variant.pass->switches[i];
-        const bool effective =
-            info.stages.empty() || std::ranges::find(info.stages, stage) != info.stages.end();
+        const bool effective = info.stages.empty() || std::ranges::find(info.stages, stage) != info.stages.end();
         result.values.push_back(effective ? valueAt(variant, i) : info.defaultValue);
     }
     return result;
@@ -136,12 +133,9 @@ Variant forStage(const Variant& variant, Stage stage) {
 
 std::string_view stageName(Stage stage) {
     switch (stage) {
-    case Stage::vertex:
-        return "vert";
-    case Stage::fragment:
-        return "frag";
-    case Stage::compute:
-        return "comp";
+    case Stage::vertex: return "vert";
+    case Stage::fragment: return "frag";
+    case Stage::compute: return "comp";
     }
     return "unknown";
 }
@@ -158,9 +152,9 @@ SpirvSource spirvFromDirectory(std::string directory) {
         std::error_code ignored;
         for (const auto& file : {root / name, root / std::string(variant.pass->name) / name})
             if (std::filesystem::is_regular_file(file, ignored)) return readWords(file);
-        return Error{ErrorCode::missingVariant, "there is no " + name + " in " + root.string() +
-                                                    "; compile it with reprisec --variant " +
-                                                    variantName(variant)};
+        return Error{ErrorCode::missingVariant,
+                     "there is no " + name + " in " + root.string() +
+                         "; compile it with reprisec --variant " + variantName(variant)};
     };
 }
 

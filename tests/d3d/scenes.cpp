@@ -7,6 +7,7 @@
 #include "passes/depth_downsample_case.hpp"
 #include "passes/object_case.hpp"
 #include "passes/reprojection_cache_case.hpp"
+#include "passes/sun_shadow_case.hpp"
 #include "passes/temporal_aa_case.hpp"
 
 #include <algorithm>
@@ -214,6 +215,19 @@ std::vector<Scene> bilateralUpsampleScenes(const Variant& variant) {
     return scenes;
 }
 
+std::vector<Scene> sunShadowScenes(const Variant& variant) {
+    std::vector<Scene> scenes;
+    for (const Size size : sizes) {
+        const auto frame =
+            shared(passes::sunShadowCase(variant, passes::Surfaces::corner, size.width, size.height, 69));
+        scenes.push_back(sceneOf(size, frame));
+        scenes.back().images = {{"gInCoarseDepth", &frame->depth},
+                                {"gInShadowMap", &frame->map},
+                                {"gInOcclusion", &frame->occlusion}};
+    }
+    return scenes;
+}
+
 // --- fullscreen
 
 // Where a pixel says that it is, to 1/1024 px: far from the half pixel that is looked for.
@@ -251,6 +265,7 @@ constexpr PassScenes passScenes[] = {
     {"reprojection_cache", reprojectionCacheScenes},
     {"bilateral_filter", bilateralFilterScenes},
     {"bilateral_upsample", bilateralUpsampleScenes},
+    {"sun_shadow", sunShadowScenes},
     {"temporal_aa", temporalAaScenes},
 };
 

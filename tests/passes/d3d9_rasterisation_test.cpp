@@ -13,6 +13,7 @@
 #include "depth_downsample_case.hpp"
 #include "object_case.hpp"
 #include "reprojection_cache_case.hpp"
+#include "sun_shadow_case.hpp"
 #include "temporal_aa_case.hpp"
 #include "viewport_shift.hpp"
 
@@ -254,16 +255,27 @@ Comparison bilateralUpsample(const D3d9Pack& pack, const Variant& variant, Size 
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
+Comparison sunShadow(const D3d9Pack& pack, const Variant& variant, Size size) {
+    const auto frame = sunShadowCase(variant, Surfaces::corner, size.width, size.height, 79);
+    Pass pass = fullscreenPass(pack, variant, {rg32f});
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
 struct PassCheck {
     std::string_view pass;
     Comparison (*run)(const D3d9Pack&, const Variant&, Size);
 };
 // One line for each pass of pack.toml with a fragment stage.
 constexpr PassCheck checks[] = {
-    {"camera_velocity", cameraVelocity},       {"object_velocity", objectVelocity},
-    {"depth_downsample", depthDownsample},     {"ambient_occlusion", ambientOcclusion},
-    {"reprojection_cache", reprojectionCache}, {"bilateral_filter", bilateralFilter},
-    {"bilateral_upsample", bilateralUpsample}, {"temporal_aa", temporalAa},
+    {"camera_velocity", cameraVelocity},
+    {"object_velocity", objectVelocity},
+    {"depth_downsample", depthDownsample},
+    {"ambient_occlusion", ambientOcclusion},
+    {"reprojection_cache", reprojectionCache},
+    {"bilateral_filter", bilateralFilter},
+    {"bilateral_upsample", bilateralUpsample},
+    {"sun_shadow", sunShadow},
+    {"temporal_aa", temporalAa},
 };
 
 constexpr bool everyFragmentPassHasACheck() {

@@ -8,6 +8,7 @@
 #include "fullscreen_case.hpp"
 #include "object_case.hpp"
 #include "reprojection_cache_case.hpp"
+#include "sun_shadow_case.hpp"
 #include "temporal_aa_case.hpp"
 
 #include <algorithm>
@@ -60,6 +61,13 @@ Comparison checkBilateralUpsample(Stage stage) {
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
+Comparison checkSunShadow(Stage stage) {
+    const Variant variant = variantOf(pack(), "sun_shadow");
+    Pass pass(variant, stage);
+    const SunShadowCase frame = sunShadowCase(variant, Surfaces::corner, 33, 17, 58);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
 // Its two stages are executed together.
 Comparison checkObjectVelocity(Stage) {
     const ObjectCase object;
@@ -88,6 +96,7 @@ constexpr PassCheck checks[] = {
     {"reprojection_cache", checkReprojectionCache},
     {"bilateral_filter", checkBilateralFilter},
     {"bilateral_upsample", checkBilateralUpsample},
+    {"sun_shadow", checkSunShadow},
     {"temporal_aa", checkTemporalAa},
 };
 

@@ -8,6 +8,7 @@
 #include "changed_pack.hpp"
 #include "object_case.hpp"
 #include "reprojection_cache_case.hpp"
+#include "sun_shadow_case.hpp"
 #include "temporal_aa_case.hpp"
 
 #include <limits>
@@ -389,7 +390,8 @@ const std::vector<FrameworkMutant>& frameworkMutants() {
     constexpr std::string_view down = "passes/depth_downsample.hlsl",
                                occlusion = "passes/ambient_occlusion.hlsl",
                                cache = "passes/reprojection_cache.hlsl",
-                               filter = "passes/bilateral_filter.hlsl", up = "passes/bilateral_upsample.hlsl";
+                               filter = "passes/bilateral_filter.hlsl", up = "passes/bilateral_upsample.hlsl",
+                               sun = "passes/sun_shadow.hlsl";
     static const std::vector<FrameworkMutant> mutants = {
         {"depth_downsample",
          {"reversedDepthTakesTheFarthest",
@@ -518,6 +520,79 @@ const std::vector<FrameworkMutant>& frameworkMutants() {
           "SAMPLE(gInCoarseNormal, footprint.leftUp)",
           fragment,
           {{"NORMAL_WEIGHTS", "on"}}}},
+        {"sun_shadow",
+         {"oneDepthForAllSamples", sun, "place.z + dot(slope, texel - place.xy)", "place.z", fragment, {}}},
+        {"sun_shadow",
+         {"planeAtThePlaceAndNotAtTheTexel",
+          sun,
+          "floor(place.xy + radius * sqrt(frac(own.y + areaShift)) * azimuth) + 0.5;",
+          "place.xy + radius * sqrt(frac(own.y + areaShift)) * azimuth;",
+          compute,
+          {}}},
+        {"sun_shadow",
+         {"slopeOfTheFirstCascadeInAll",
+          sun,
+          "slope *= cascade.scale.z / cascade.scale.xy;",
+          "",
+          fragment,
+          {}}},
+        {"sun_shadow",
+         {"biasOfTheFirstCascadeInAll", sun, "* depth) * cascade.scale.z;", "* depth);", compute, {}}},
+        {"sun_shadow",
+         {"slopeOfAnySteepness",
+          sun,
+          "clamp(-normal.xy / area, -gBias.z, gBias.z)",
+          "-normal.xy / area",
+          fragment,
+          {}}},
+        {"sun_shadow",
+         {"shadowPlaneOfTheFartherSide",
+          sun,
+          "differenceBefore < differenceAfter",
+          "differenceBefore >= differenceAfter",
+          compute,
+          {}}},
+        {"sun_shadow",
+         {"stepWithoutThePerspective",
+          sun,
+          "uv * change.x + step * change.y",
+          "step * change.y",
+          fragment,
+          {}}},
+        {"sun_shadow",
+         {"shadowPatternStandsStill", sun, "float2 shift = subset", "float2 shift = 0.0 * subset", compute, {}}},
+        {"sun_shadow", {"samplesOnTheRimAlone", sun, "sqrt(frac(own.y + areaShift))", "1.0", fragment, {}}},
+        {"sun_shadow",
+         {"samplesInTheNextColumn", sun, "texel = clamp(texel, 0.5, lastTexel);", "", compute, {}}},
+        {"sun_shadow", {"lastCascadeWithoutEnd", sun, " && depth <= cascade.farDepth", "", fragment, {}}},
+        {"sun_shadow",
+         {"placesBesideTheMapAreItsEdges",
+          sun,
+          "isInsideUv(place.xy / gCascadeSize.xy) && ",
+          "",
+          compute,
+          {}}},
+        {"sun_shadow",
+         {"fourthCascadeReadsTheThird",
+          sun,
+          "nearer.index + (hasEnded ? 1.0 : 0.0);",
+          "hasEnded ? min(nearer.index + 1.0, 2.0) : nearer.index;",
+          fragment,
+          {{"CASCADES", "4"}}}},
+        {"sun_shadow",
+         {"reversedMapComparedAsStandard",
+          sun,
+          "mapDepth > max(depth, 0.0) + bias",
+          "mapDepth < max(depth, 0.0) - bias",
+          compute,
+          {{"SHADOW_REVERSED", "on"}}}},
+        {"sun_shadow",
+         {"packedInTheOtherOrder",
+          sun,
+          "packShadowInInteger(SAMPLE(",
+          "packOcclusionInInteger(SAMPLE(",
+          fragment,
+          {{"VALUES", "shadow_in_integer"}}}},
     };
     return mutants;
 }
@@ -532,6 +607,7 @@ bool frameworkCatches(const Variant& right, Pass& pass) {
     if (name == "depth_downsample") return fails(randomDepthDownsampleCase(right, width, height, 34));
     if (name == "ambient_occlusion")
         return fails(ambientOcclusionCase(right, Surfaces::corner, width, height, 34));
+    if (name == "sun_shadow") return fails(sunShadowCase(right, Surfaces::corner, width, height, 34));
     if (name == "reprojection_cache") return fails(reprojectionCacheCase(right, width, height, 34));
     if (name == "bilateral_filter") return fails(bilateralFilterCase(right, width, height, {1, 0}, 34));
     return fails(bilateralUpsampleCase(right, width, height, 34));

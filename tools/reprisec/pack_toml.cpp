@@ -127,17 +127,25 @@ std::vector<std::string_view> Reader::textList(const toml::table& parent, std::s
     return list;
 }
 
-// { SWITCH = "value" } or { SWITCH = "!value" }, checked against the switches of the pass.
+// { SWITCH = "value" }, checked against the switches of the pass.
 std::span<const Condition> Reader::conditions(const toml::table& parent, std::string_view key,
                                               const PassInfo& pass) {
     if (!parent.contains(key)) return {};
     auto& list = storage_.conditionLists.emplace_back();
     for (const auto& [name, value] : table(need(parent, key))) {
-        Variant probe{&pass, {}};
-        const auto wanted = as<std::string>(value, "a string");
-        const auto known = std::string_view(wanted).substr(wanted.starts_with('!') && key == "when" ? 1 : 0);
-        if (auto set = reprise::setSwitch(probe, name.str(), known); !set) fail(value, set.error().message);
-        list.push_back({keep(std::string(name.str())), keep(wanted)});
+        const auto add = [&](const toml::node& node) {
+            Variant probe{&pass, {}};
+            const auto wanted = as<std::string>(node, "a string");
+            if (auto set = reprise::setSwitch(probe, name.str(), wanted); !set)
+                fail(node, set.error().message);
+            list.push_back({keep(std::string(name.str())), keep(wanted)});
+        };
+        if (key != "when" || !value.is_array()) {
+            add(value);
+            continue;
+        }
+        for (const toml::node& alternative : array(value))
+            add(alternative);
     }
     return list;
 }
@@ -166,8 +174,7 @@ ImageInfo Reader::readImage(const toml::table& table, const PassInfo& pass) {
     image.scale = 1.0f;
     if (const toml::node* scale = table.get("scale")) {
         const auto value = scale->value<double>();
-        if (!value || *value < 0.0)
-            fail(*scale, "the scale must be a number above 0, or 0 for an extent of its own");
+        if (!value || !(*value >= 0.0)) fail(*scale, "the scale must be a number, 0 for an extent of its own");
         image.scale = static_cast<float>(*value);
     }
     image.history = textOr(table, "history");
@@ -213,6 +220,7 @@ void Reader::readOutput(const toml::table& table, const PassInfo& pass, std::vec
     allow(table, {"name", "binding", "space", "format", "scale", "when"});
     const ImageInfo image = readImage(table, pass);
     if (image.format.empty()) fail(table, "an output needs a format; add it");
+    if (image.scale == 0.0f) fail(table, "an output has a share of the frame's extent; give a scale above 0");
     images.push_back(image);
     addBinding(table, bindings, {image.name, number(need(table, "binding")), BindingKind::storageImage});
 }
@@ -281,11 +289,8 @@ void Reader::readPreset(const toml::table& table) {
     if (pass == storage_.passes.end()) fail(need(table, "pass"), "there is no pass " + std::string(passName));
     auto& presets = storage_.presets[static_cast<size_t>(pass - storage_.passes.begin())];
     const auto [feedbackMin, feedbackMax] = feedback(table);
-    const PresetInfo preset{text(table, "name"),
-                            textOr(table, "summary"),
-                            conditions(table, "switches", *pass),
-                            feedbackMin,
-                            feedbackMax,
+    const PresetInfo preset{text(table, "name"), textOr(table, "summary"),
+                            conditions(table, "switches", *pass), feedbackMin, feedbackMax,
                             flagOr(table, "ramp_feedback", false)};
     if (std::ranges::find(presets, preset.name, &PresetInfo::name) != presets.end())
         fail(table, "the pass " + std::string(passName) + " has two presets of this name; rename one");

@@ -138,11 +138,11 @@ FrameContent frameContent(const Scene& scene, const SceneData& data, const Bound
     const reprise::CameraFrame previous = cameraAt(scene, prevFrame, aspect, depth);
     const glm::dmat4 worldToClip = camera.viewToClip * camera.worldToView;
     const glm::dmat4 prevWorldToClip = previous.viewToClip * previous.worldToView;
-    const Cascades cascades = fitCascades(scene, camera, aspect, bounds);
     const glm::dvec3 eye(glm::inverse(camera.worldToView)[3]);
 
     FrameContent content{};
-    describeLight(content.uniforms, scene, cascades);
+    content.cascades = fitCascades(scene, camera, aspect, bounds);
+    describeLight(content.uniforms, scene, content.cascades);
     describeSky(content.uniforms, camera, previous);
     content.uniforms.camera = glm::vec4(eye, 0.0);
     content.uniforms.forward = glm::vec4(glm::vec3(glm::transpose(camera.worldToView)[2]), 0.0f);
@@ -166,7 +166,7 @@ FrameContent frameContent(const Scene& scene, const SceneData& data, const Bound
         farthest[i] = glm::length(sphere.centre - eye) + sphere.radius;
         if (inView(camera, sphere)) content.order.push_back(i);
         for (uint32_t c = 0; c < cascadeCount; ++c)
-            if (inCascade(cascades.worldToLightClip[c], sphere)) content.casters[c].push_back(i);
+            if (inCascade(content.cascades.worldToLightClip[c], sphere)) content.casters[c].push_back(i);
     }
     sortNearestFirst(scene, farthest, content.order);
     content.opaqueCount = size_t(std::ranges::count_if(content.order, [&](uint32_t i) {

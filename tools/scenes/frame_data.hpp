@@ -37,6 +37,7 @@ struct Bounds {
 
 struct FrameContent {
     FrameUniforms uniforms;
+    Cascades cascades;
     std::vector<InstanceData> instances;
     std::vector<glm::mat4> palette, prevPalette;
     std::vector<uint32_t> order;                 // instances in view, nearest first, alpha-tested last

@@ -332,8 +332,7 @@ void Renderer::render(VkCommandBuffer commands, int frame, glm::dvec2 jitterPx, 
     state_->drawShadows(commands, slot);
     harness::Image* const colours[] = {&targets.colour, &targets.depth, &targets.normal, &targets.motion,
                                        &targets.ids};
-    state_->drawView(commands, slot, colours, targets.depthTest,
-                     state_->constants(frame, jitterPx, lodBias));
+    state_->drawView(commands, slot, colours, targets.depthTest, state_->constants(frame, jitterPx, lodBias));
     for (harness::Image* image : colours)
         state_->gpu.use(commands, *image, reprise::sampledState);
     state_->gpu.use(commands, targets.depthTest, depthReadState);
@@ -350,8 +349,7 @@ std::vector<float> Renderer::groundTruth(int frame, uint32_t samples) {
         state.gpu.run([&](VkCommandBuffer commands) {
             if (first == 0) state.drawShadows(commands, slot);
             for (uint32_t i = first; i < std::min(first + samplesPerSubmission, samples); ++i) {
-                const RenderConstants constants =
-                    state.constants(frame, truthJitter(i, samples), lodBias);
+                const RenderConstants constants = state.constants(frame, truthJitter(i, samples), lodBias);
                 state.drawView(commands, slot, colours, state.truth->depth, constants);
                 state.accumulate(commands, i == 0);
             }
@@ -401,6 +399,16 @@ std::vector<reprise::ObjectDraw> Renderer::movingObjects(int frame) {
         draws.push_back(draw);
     }
     return draws;
+}
+
+ShadowMap Renderer::shadowMap(int frame) {
+    const Cascades& cascades = state_->slot(frame).content.cascades;
+    ShadowMap map{&state_->shadows, {}, {}};
+    for (uint32_t i = 0; i < cascadeCount; ++i) {
+        map.cascades.push_back({cascades.worldToLightClip[i], cascades.farDepth[i]});
+        map.texelMetres.push_back(cascades.texel[i]);
+    }
+    return map;
 }
 
 } // namespace scenes

@@ -5,6 +5,7 @@
 
 #include "harness.hpp"
 #include "reprise/frame.hpp"
+#include "reprise/sun_shadow.hpp"
 #include "scenes.hpp"
 
 namespace scenes {
@@ -20,6 +21,13 @@ struct FrameTargets {
     harness::Image normal;    // RGBA16F world space
     harness::Image motion;    // RG16F UV, curr - prev, unjittered
     harness::Image ids;       // RG32UI instance, primitive (+1; 0 is sky)
+};
+
+// What sun_shadow takes of a frame.
+struct ShadowMap {
+    harness::Image* image; // D32F, standard depth, cascades side by side; of the frame rendered last
+    std::vector<reprise::ShadowCascade> cascades;
+    std::vector<double> texelMetres; // side of a texel of each cascade
 };
 
 class Renderer {
@@ -39,6 +47,9 @@ public:
     // Moving instances in view as the runtime's object velocity pass takes them. Valid until framesInFlight
     // other frames have been rendered. Alpha-tested ones are drawn whole by that pass.
     std::vector<reprise::ObjectDraw> movingObjects(int frame);
+    // The cascades of a frame, and the renderer's one shadow map, which render() leaves in
+    // SHADER_READ_ONLY_OPTIMAL and draws again for each frame.
+    ShadowMap shadowMap(int frame);
     const Scene& scene() const;
 
 private:

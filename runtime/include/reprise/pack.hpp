@@ -41,7 +41,7 @@ struct SwitchInfo {
     std::span<const Stage> stages; // where it has an effect; empty: in every stage
 };
 
-struct Condition { // the image exists only when the switch has the value, or with "!value" another one
+struct Condition { // the image exists only when the switch has the value
     std::string_view switchName;
     std::string_view value;
 };
@@ -50,9 +50,9 @@ struct ImageInfo {
     std::string_view name;           // gInColour, gOutHistory
     std::string_view space;          // meaning, space and unit
     std::string_view format;         // recommended: r32f, rg16f, rgba16f, rgba8
-    float scale;                     // share of the frame's extent, see scaleOf(); 0: an extent of its own
+    float scale;                     // share of the frame's extent, 0: one of its own; see scaleOf()
     std::string_view history;        // the output that becomes this input in the next frame, or empty
-    std::span<const Condition> when; // all must hold
+    std::span<const Condition> when; // all must hold; of those on one switch, one
     std::string_view sameAs;         // the input whose image this is too, under another filter, or empty
 };
 
@@ -92,8 +92,8 @@ Result<Variant> makeVariant(std::span<const PassInfo> passes, std::string_view p
 Result<void> setSwitch(Variant& variant, std::string_view switchName, std::string_view value);
 std::string_view switchValue(const Variant& variant, std::string_view switchName);
 bool exists(const Variant& variant, const ImageInfo& image);
-// Share of the frame's extent that an image of the variant has, to be rounded up. Below 1 it follows the
-// switch RATIO, where the pass has it: the table has the scale of its default.
+// Share of the frame's extent that an image of the variant has, to be rounded up. Below 1 it follows the switch
+// RATIO, where the pass has it: the table has the scale of its default.
 double scaleOf(const Variant& variant, const ImageInfo& image);
 
 // Canonical name: the pass, then each switch off its default in table order, in lower case:

@@ -31,6 +31,31 @@ TEST_F(SmallPack, mistakesInTheTableAreNamedWithTheirLine) {
     complains("schema = 1", "schema = 2", "pack.toml:3: this compiler reads schema 1");
     complains("binding = 1\n", "binding = \"1\"\n", "pack.toml:25: this must be a whole number");
     complains("name = \"small\"", "name = small", "pack.toml:2: ");
+    complains("filter = \"point\"", "scale = -0.5", "pack.toml:26: the scale must be a number, 0 for");
+    complains("filter = \"point\"", "when = { TAPS = [\"nine\", \"ten\"] }",
+              "pack.toml:26: the switch TAPS of the pass copy has no value");
+    complains("binding = 16", "scale = 0.0\n  binding = 16", "pack.toml:27: an output has a share");
+    complains("TAPS = \"nine\"", "TAPS = [\"nine\"]", "pack.toml:35: this must be a string");
+}
+
+// Values of one switch are alternatives, several switches all have to be right; an input's scale may be 0.
+TEST_F(SmallPack, inputsExistUnderOneOfSeveralValues) {
+    std::string table = smallTable;
+    const std::string filter = "filter = \"point\"\n";
+    table.insert(table.find(filter) + filter.size(),
+                 "  scale = 0\n  when = { TAPS = [\"nine\", \"gather\"], FINE = \"on\" }\n");
+    writeText(folder / "pack.toml", table);
+    const reprisec::Pack pack = load();
+    auto variant = reprise::makeVariant(pack.passes(), "copy");
+    ASSERT_TRUE(variant);
+    const reprise::ImageInfo& input = variant->pass->inputs[0];
+    EXPECT_EQ(reprise::scaleOf(*variant, input), 0.0);
+    for (const std::string_view taps : {"one", "nine", "gather"})
+        for (const std::string_view fine : {"off", "on"}) {
+            ASSERT_TRUE(reprise::setSwitch(*variant, "TAPS", taps));
+            ASSERT_TRUE(reprise::setSwitch(*variant, "FINE", fine));
+            EXPECT_EQ(reprise::exists(*variant, input), taps != "one" && fine == "on") << taps << " " << fine;
+        }
 }
 
 TEST_F(SmallPack, missingTableIsNamed) {

@@ -1,0 +1,128 @@
+#version 300 es
+precision highp float;
+precision highp int;
+
+layout(std140) uniform SunShadowParameters
+{
+    vec4 gOutputSize;
+    vec4 gToShadowX;
+    vec4 gToShadowY;
+    vec4 gToShadowZ;
+    vec4 gCascadeScale1;
+    vec4 gCascadeOffset1;
+    vec4 gCascadeScale2;
+    vec4 gCascadeOffset2;
+    vec4 gCascadeScale3;
+    vec4 gCascadeOffset3;
+    vec4 gCascadeFar;
+    vec4 gCascadeSize;
+    vec3 gDisc;
+    float gFrameIndex;
+    vec3 gBias;
+    float gSubsetCount;
+} parameters;
+
+uniform highp sampler2D gInCoarseDepth;
+uniform highp sampler2D gInShadowMap;
+
+layout(location = 0) out vec4 gOutShadow;
+
+void main()
+{
+    vec2 _78 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _82 = textureLod(gInCoarseDepth, _78, 0.0);
+    float _83 = _82.x;
+    float _85 = (_83 > 0.0) ? _83 : 65504.0;
+    float _87 = (_85 < 65504.0) ? _85 : 65504.0;
+    vec2 _91 = vec2(parameters.gOutputSize.z, 0.0);
+    vec2 _93 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-_91);
+    vec4 _94 = textureLod(gInCoarseDepth, _93, 0.0);
+    float _95 = _94.x;
+    float _97 = (_95 > 0.0) ? _95 : 65504.0;
+    float _99 = (_97 < 65504.0) ? _97 : 65504.0;
+    vec2 _103 = vec2(0.0, parameters.gOutputSize.w);
+    vec2 _105 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-_103);
+    vec4 _106 = textureLod(gInCoarseDepth, _105, 0.0);
+    float _107 = _106.x;
+    float _109 = (_107 > 0.0) ? _107 : 65504.0;
+    float _111 = (_109 < 65504.0) ? _109 : 65504.0;
+    vec2 _113 = gl_FragCoord.xy * parameters.gOutputSize.zw + _91;
+    vec4 _114 = textureLod(gInCoarseDepth, _113, 0.0);
+    float _115 = _114.x;
+    float _117 = (_115 > 0.0) ? _115 : 65504.0;
+    float _119 = (_117 < 65504.0) ? _117 : 65504.0;
+    vec2 _121 = gl_FragCoord.xy * parameters.gOutputSize.zw + _103;
+    vec4 _122 = textureLod(gInCoarseDepth, _121, 0.0);
+    float _123 = _122.x;
+    float _125 = (_123 > 0.0) ? _123 : 65504.0;
+    float _127 = (_125 < 65504.0) ? _125 : 65504.0;
+    vec3 _131 = vec3(_78 * _87, _87);
+    vec3 _152 = vec3(dot(parameters.gToShadowX.xyz, _131), dot(parameters.gToShadowY.xyz, _131), dot(parameters.gToShadowZ.xyz, _131)) + vec3(parameters.gToShadowX.w, parameters.gToShadowY.w, parameters.gToShadowZ.w);
+    float _164 = _119 - _87;
+    vec2 _169 = vec2(_87 - _99, _99);
+    vec2 _170 = vec2(_164, _119);
+    bvec2 _171 = bvec2((all(lessThanEqual(abs(_93 - vec2(0.5)), vec2(0.5))) ? abs(_99 - _87) : 131008.0) < (all(lessThanEqual(abs(_113 - vec2(0.5)), vec2(0.5))) ? abs(_164) : 65504.0));
+    vec2 _172 = vec2(_171.x ? _169.x : _170.x, _171.y ? _169.y : _170.y);
+    float _173 = _172.x;
+    vec3 _180 = vec3((_78 * _173) + (_91 * _172.y), _173);
+    float _196 = _127 - _87;
+    vec2 _201 = vec2(_87 - _111, _111);
+    vec2 _202 = vec2(_196, _127);
+    bvec2 _203 = bvec2((all(lessThanEqual(abs(_105 - vec2(0.5)), vec2(0.5))) ? abs(_111 - _87) : 131008.0) < (all(lessThanEqual(abs(_121 - vec2(0.5)), vec2(0.5))) ? abs(_196) : 65504.0));
+    vec2 _204 = vec2(_203.x ? _201.x : _202.x, _203.y ? _201.y : _202.y);
+    float _205 = _204.x;
+    vec3 _212 = vec3((_78 * _205) + (_103 * _204.y), _205);
+    vec3 _217 = cross(vec3(dot(parameters.gToShadowX.xyz, _180), dot(parameters.gToShadowY.xyz, _180), dot(parameters.gToShadowZ.xyz, _180)), vec3(dot(parameters.gToShadowX.xyz, _212), dot(parameters.gToShadowY.xyz, _212), dot(parameters.gToShadowZ.xyz, _212)));
+    float _218 = _217.z;
+    vec2 _231 = clamp((-_217.xy) / vec2((abs(_218) > 9.9999996826552253889678874634872e-21) ? _218 : 9.9999996826552253889678874634872e-21), vec2(-parameters.gBias.z), vec2(parameters.gBias.z));
+    vec2 _240 = max(parameters.gDisc.xy, vec2(parameters.gDisc.z));
+    vec2 _249 = parameters.gCascadeSize.xy - vec2(0.5);
+    vec2 _250 = floor(gl_FragCoord.xy);
+    float _255 = floor(parameters.gSubsetCount);
+    float _258 = (_255 > 1.0) ? min(_255, 16.0) : 1.0;
+    float _262 = floor((parameters.gFrameIndex > 0.0) ? min(parameters.gFrameIndex, 1048576.0) : 0.0);
+    vec2 _268 = vec2(0.019510664045810699462890625, 0.2793611586093902587890625) * ((-_258) * floor((_262 + 0.5) / _258) + _262);
+    vec2 _271 = floor(_250 * 0.5);
+    vec2 _273 = _250 - (_271 * 2.0);
+    vec2 _277 = _271 - (floor(_250 * 0.25) * 2.0);
+    float _279 = _273.y;
+    float _282 = _277.y;
+    vec2 _288 = (abs(vec2(_273.x - _279, _277.x - _282)) * 2.0) + vec2(_279, _282);
+    float _293 = 6.283185482025146484375 * ((4.0 * _288.x + _288.y) * 0.0625 + _268.x);
+    float _294 = cos(_293);
+    float _295 = sin(_293);
+    vec2 _300 = vec2(_250.y + 1.0, _250.x);
+    vec2 _302 = floor(_300 * 0.5);
+    vec2 _304 = _300 - (_302 * 2.0);
+    vec2 _308 = _302 - (floor(_300 * 0.25) * 2.0);
+    float _310 = _304.y;
+    float _313 = _308.y;
+    vec2 _319 = (abs(vec2(_304.x - _310, _308.x - _313)) * 2.0) + vec2(_310, _313);
+    float _323 = (4.0 * _319.x + _319.y) * 0.0625 + _268.y;
+    vec2 _324 = fract(vec2(0.5));
+    float _326 = 6.283185482025146484375 * _324.x;
+    float _327 = cos(_326);
+    float _328 = sin(_326);
+    vec2 _335 = _152.xy;
+    vec2 _344 = clamp(floor((_240 * sqrt(fract(_324.y + _323))) * vec2(_327 * _294 + (-(_328 * _295)), _327 * _295 + (_328 * _294)) + _335) + vec2(0.5), vec2(0.5), _249);
+    float _352 = _152.z;
+    float _357 = -(parameters.gBias.y * _87 + parameters.gBias.x);
+    vec2 _361 = fract(vec2(1.25487768650054931640625, 1.06984031200408935546875));
+    float _363 = 6.283185482025146484375 * _361.x;
+    float _364 = cos(_363);
+    float _365 = sin(_363);
+    vec2 _380 = clamp(floor((_240 * sqrt(fract(_361.y + _323))) * vec2(_364 * _294 + (-(_365 * _295)), _364 * _295 + (_365 * _294)) + _335) + vec2(0.5), vec2(0.5), _249);
+    vec2 _393 = fract(vec2(2.0097553730010986328125, 1.6396806240081787109375));
+    float _395 = 6.283185482025146484375 * _393.x;
+    float _396 = cos(_395);
+    float _397 = sin(_395);
+    vec2 _412 = clamp(floor((_240 * sqrt(fract(_393.y + _323))) * vec2(_396 * _294 + (-(_397 * _295)), _396 * _295 + (_397 * _294)) + _335) + vec2(0.5), vec2(0.5), _249);
+    vec2 _425 = fract(vec2(2.7646331787109375, 2.209520816802978515625));
+    float _427 = 6.283185482025146484375 * _425.x;
+    float _428 = cos(_427);
+    float _429 = sin(_427);
+    vec2 _444 = clamp(floor((_240 * sqrt(fract(_425.y + _323))) * vec2(_428 * _294 + (-(_429 * _295)), _428 * _295 + (_429 * _294)) + _335) + vec2(0.5), vec2(0.5), _249);
+    float _468 = (_87 < 65504.0) ? ((all(lessThanEqual(abs((_335 / parameters.gCascadeSize.xy) - vec2(0.5)), vec2(0.5))) && (_87 <= parameters.gCascadeFar.x)) ? ((-(((float(textureLod(gInShadowMap, _344 * parameters.gCascadeSize.zw, 0.0).x < (_357 * 1.0 + min(_352 + dot(_231, _344 - _335), 1.0))) + float(textureLod(gInShadowMap, _380 * parameters.gCascadeSize.zw, 0.0).x < (_357 * 1.0 + min(_352 + dot(_231, _380 - _335), 1.0)))) + float(textureLod(gInShadowMap, _412 * parameters.gCascadeSize.zw, 0.0).x < (_357 * 1.0 + min(_352 + dot(_231, _412 - _335), 1.0)))) + float(textureLod(gInShadowMap, _444 * parameters.gCascadeSize.zw, 0.0).x < (_357 * 1.0 + min(_352 + dot(_231, _444 - _335), 1.0))))) * 0.25 + 1.0) : 1.0) : 1.0;
+    gOutShadow = vec4(_468, _87, 0.0, 0.0);
+}
+

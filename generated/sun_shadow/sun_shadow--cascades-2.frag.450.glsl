@@ -1,0 +1,120 @@
+#version 450
+
+layout(binding = 0, std140) uniform SunShadowParameters
+{
+    vec4 gOutputSize;
+    vec4 gToShadowX;
+    vec4 gToShadowY;
+    vec4 gToShadowZ;
+    vec4 gCascadeScale1;
+    vec4 gCascadeOffset1;
+    vec4 gCascadeScale2;
+    vec4 gCascadeOffset2;
+    vec4 gCascadeScale3;
+    vec4 gCascadeOffset3;
+    vec4 gCascadeFar;
+    vec4 gCascadeSize;
+    vec3 gDisc;
+    float gFrameIndex;
+    vec3 gBias;
+    float gSubsetCount;
+} parameters;
+
+layout(binding = 1) uniform sampler2D gInCoarseDepth;
+layout(binding = 2) uniform sampler2D gInShadowMap;
+
+layout(location = 0) out vec4 gOutShadow;
+
+void main()
+{
+    vec2 _83 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec2 _87 = parameters.gOutputSize.zw * 0.5;
+    vec4 _90 = textureGather(gInCoarseDepth, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_87));
+    vec4 _93 = textureGather(gInCoarseDepth, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, _87));
+    float _94 = _90.y;
+    float _96 = (_94 > 0.0) ? _94 : 65504.0;
+    float _98 = (_96 < 65504.0) ? _96 : 65504.0;
+    float _99 = _90.x;
+    float _101 = (_99 > 0.0) ? _99 : 65504.0;
+    float _103 = (_101 < 65504.0) ? _101 : 65504.0;
+    float _104 = _90.z;
+    float _106 = (_104 > 0.0) ? _104 : 65504.0;
+    float _108 = (_106 < 65504.0) ? _106 : 65504.0;
+    float _109 = _93.z;
+    float _111 = (_109 > 0.0) ? _109 : 65504.0;
+    float _113 = (_111 < 65504.0) ? _111 : 65504.0;
+    float _114 = _93.x;
+    float _116 = (_114 > 0.0) ? _114 : 65504.0;
+    float _118 = (_116 < 65504.0) ? _116 : 65504.0;
+    vec3 _122 = vec3(_83 * _98, _98);
+    vec2 _146 = vec2(parameters.gOutputSize.z, 0.0);
+    float _161 = _113 - _98;
+    vec2 _169 = mix(vec2(_161, _113), vec2(_98 - _103, _103), bvec2((all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_146) - vec2(0.5)), vec2(0.5))) ? abs(_103 - _98) : 131008.0) < (all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, _146) - vec2(0.5)), vec2(0.5))) ? abs(_161) : 65504.0)));
+    float _170 = _169.x;
+    vec3 _177 = vec3((_83 * _170) + (_146 * _169.y), _170);
+    vec2 _184 = vec2(0.0, parameters.gOutputSize.w);
+    float _199 = _118 - _98;
+    vec2 _207 = mix(vec2(_199, _118), vec2(_98 - _108, _108), bvec2((all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_184) - vec2(0.5)), vec2(0.5))) ? abs(_108 - _98) : 131008.0) < (all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, _184) - vec2(0.5)), vec2(0.5))) ? abs(_199) : 65504.0)));
+    float _208 = _207.x;
+    vec3 _215 = vec3((_83 * _208) + (_184 * _207.y), _208);
+    vec3 _220 = cross(vec3(dot(parameters.gToShadowX.xyz, _177), dot(parameters.gToShadowY.xyz, _177), dot(parameters.gToShadowZ.xyz, _177)), vec3(dot(parameters.gToShadowX.xyz, _215), dot(parameters.gToShadowY.xyz, _215), dot(parameters.gToShadowZ.xyz, _215)));
+    float _221 = _220.z;
+    bool _245 = _98 > parameters.gCascadeFar.x;
+    bvec3 _246 = bvec3(_245);
+    vec3 _247 = mix(vec3(1.0), parameters.gCascadeScale1.xyz, _246);
+    float _249 = float(_245);
+    vec3 _250 = fma(vec3(dot(parameters.gToShadowX.xyz, _122), dot(parameters.gToShadowY.xyz, _122), dot(parameters.gToShadowZ.xyz, _122)) + vec3(parameters.gToShadowX.w, parameters.gToShadowY.w, parameters.gToShadowZ.w), _247, mix(vec3(0.0), parameters.gCascadeOffset1.xyz, _246));
+    float _251 = _247.z;
+    vec2 _252 = _247.xy;
+    vec2 _255 = clamp((-_220.xy) / vec2((abs(_221) > 9.9999996826552253889678874634872e-21) ? _221 : 9.9999996826552253889678874634872e-21), vec2(-parameters.gBias.z), vec2(parameters.gBias.z)) * (vec2(_251) / _252);
+    vec2 _263 = max(parameters.gDisc.xy * _252, vec2(parameters.gDisc.z));
+    vec2 _272 = parameters.gCascadeSize.xy - vec2(0.5);
+    vec2 _275 = floor(gl_FragCoord.xy);
+    float _280 = floor(parameters.gSubsetCount);
+    float _283 = (_280 > 1.0) ? min(_280, 16.0) : 1.0;
+    float _287 = floor((parameters.gFrameIndex > 0.0) ? min(parameters.gFrameIndex, 1048576.0) : 0.0);
+    vec2 _293 = vec2(0.019510664045810699462890625, 0.2793611586093902587890625) * fma(-_283, floor((_287 + 0.5) / _283), _287);
+    vec2 _296 = floor(_275 * 0.5);
+    vec2 _298 = _275 - (_296 * 2.0);
+    vec2 _302 = _296 - (floor(_275 * 0.25) * 2.0);
+    float _304 = _298.y;
+    float _307 = _302.y;
+    vec2 _313 = (abs(vec2(_298.x - _304, _302.x - _307)) * 2.0) + vec2(_304, _307);
+    float _318 = 6.283185482025146484375 * fma(fma(4.0, _313.x, _313.y), 0.0625, _293.x);
+    float _319 = cos(_318);
+    float _320 = sin(_318);
+    vec2 _325 = vec2(_275.y + 1.0, _275.x);
+    vec2 _327 = floor(_325 * 0.5);
+    vec2 _329 = _325 - (_327 * 2.0);
+    vec2 _333 = _327 - (floor(_325 * 0.25) * 2.0);
+    float _335 = _329.y;
+    float _338 = _333.y;
+    vec2 _344 = (abs(vec2(_329.x - _335, _333.x - _338)) * 2.0) + vec2(_335, _338);
+    float _348 = fma(fma(4.0, _344.x, _344.y), 0.0625, _293.y);
+    vec2 _349 = fract(vec2(0.5));
+    float _351 = 6.283185482025146484375 * _349.x;
+    float _352 = cos(_351);
+    float _353 = sin(_351);
+    vec2 _360 = _250.xy;
+    vec2 _369 = clamp(floor(fma(_263 * sqrt(fract(_349.y + _348)), vec2(fma(_352, _319, -(_353 * _320)), fma(_352, _320, _353 * _319)), _360)) + vec2(0.5), vec2(0.5), _272);
+    float _381 = _250.z;
+    float _386 = -fma(parameters.gBias.y, _98, parameters.gBias.x);
+    vec2 _390 = fract(vec2(1.25487768650054931640625, 1.06984031200408935546875));
+    float _392 = 6.283185482025146484375 * _390.x;
+    float _393 = cos(_392);
+    float _394 = sin(_392);
+    vec2 _409 = clamp(floor(fma(_263 * sqrt(fract(_390.y + _348)), vec2(fma(_393, _319, -(_394 * _320)), fma(_393, _320, _394 * _319)), _360)) + vec2(0.5), vec2(0.5), _272);
+    vec2 _426 = fract(vec2(2.0097553730010986328125, 1.6396806240081787109375));
+    float _428 = 6.283185482025146484375 * _426.x;
+    float _429 = cos(_428);
+    float _430 = sin(_428);
+    vec2 _445 = clamp(floor(fma(_263 * sqrt(fract(_426.y + _348)), vec2(fma(_429, _319, -(_430 * _320)), fma(_429, _320, _430 * _319)), _360)) + vec2(0.5), vec2(0.5), _272);
+    vec2 _462 = fract(vec2(2.7646331787109375, 2.209520816802978515625));
+    float _464 = 6.283185482025146484375 * _462.x;
+    float _465 = cos(_464);
+    float _466 = sin(_464);
+    vec2 _481 = clamp(floor(fma(_263 * sqrt(fract(_462.y + _348)), vec2(fma(_465, _319, -(_466 * _320)), fma(_465, _320, _466 * _319)), _360)) + vec2(0.5), vec2(0.5), _272);
+    float _505 = -(((float(textureLod(gInShadowMap, vec2(fma(_249, parameters.gCascadeSize.x, _369.x), _369.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_386, _251, min(_381 + dot(_255, _369 - _360), 1.0))) + float(textureLod(gInShadowMap, vec2(fma(_249, parameters.gCascadeSize.x, _409.x), _409.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_386, _251, min(_381 + dot(_255, _409 - _360), 1.0)))) + float(textureLod(gInShadowMap, vec2(fma(_249, parameters.gCascadeSize.x, _445.x), _445.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_386, _251, min(_381 + dot(_255, _445 - _360), 1.0)))) + float(textureLod(gInShadowMap, vec2(fma(_249, parameters.gCascadeSize.x, _481.x), _481.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_386, _251, min(_381 + dot(_255, _481 - _360), 1.0))));
+    gOutShadow = vec4((_98 < 65504.0) ? ((all(lessThanEqual(abs((_360 / parameters.gCascadeSize.xy) - vec2(0.5)), vec2(0.5))) && (_98 <= parameters.gCascadeFar.y)) ? fma(_505, 0.25, 1.0) : 1.0) : 1.0, _98, 0.0, 0.0);
+}
+

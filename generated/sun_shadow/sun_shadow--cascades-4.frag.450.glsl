@@ -1,0 +1,122 @@
+#version 450
+
+layout(binding = 0, std140) uniform SunShadowParameters
+{
+    vec4 gOutputSize;
+    vec4 gToShadowX;
+    vec4 gToShadowY;
+    vec4 gToShadowZ;
+    vec4 gCascadeScale1;
+    vec4 gCascadeOffset1;
+    vec4 gCascadeScale2;
+    vec4 gCascadeOffset2;
+    vec4 gCascadeScale3;
+    vec4 gCascadeOffset3;
+    vec4 gCascadeFar;
+    vec4 gCascadeSize;
+    vec3 gDisc;
+    float gFrameIndex;
+    vec3 gBias;
+    float gSubsetCount;
+} parameters;
+
+layout(binding = 1) uniform sampler2D gInCoarseDepth;
+layout(binding = 2) uniform sampler2D gInShadowMap;
+
+layout(location = 0) out vec4 gOutShadow;
+
+void main()
+{
+    vec2 _87 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec2 _91 = parameters.gOutputSize.zw * 0.5;
+    vec4 _94 = textureGather(gInCoarseDepth, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_91));
+    vec4 _97 = textureGather(gInCoarseDepth, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, _91));
+    float _98 = _94.y;
+    float _100 = (_98 > 0.0) ? _98 : 65504.0;
+    float _102 = (_100 < 65504.0) ? _100 : 65504.0;
+    float _103 = _94.x;
+    float _105 = (_103 > 0.0) ? _103 : 65504.0;
+    float _107 = (_105 < 65504.0) ? _105 : 65504.0;
+    float _108 = _94.z;
+    float _110 = (_108 > 0.0) ? _108 : 65504.0;
+    float _112 = (_110 < 65504.0) ? _110 : 65504.0;
+    float _113 = _97.z;
+    float _115 = (_113 > 0.0) ? _113 : 65504.0;
+    float _117 = (_115 < 65504.0) ? _115 : 65504.0;
+    float _118 = _97.x;
+    float _120 = (_118 > 0.0) ? _118 : 65504.0;
+    float _122 = (_120 < 65504.0) ? _120 : 65504.0;
+    vec3 _126 = vec3(_87 * _102, _102);
+    vec2 _150 = vec2(parameters.gOutputSize.z, 0.0);
+    float _165 = _117 - _102;
+    vec2 _173 = mix(vec2(_165, _117), vec2(_102 - _107, _107), bvec2((all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_150) - vec2(0.5)), vec2(0.5))) ? abs(_107 - _102) : 131008.0) < (all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, _150) - vec2(0.5)), vec2(0.5))) ? abs(_165) : 65504.0)));
+    float _174 = _173.x;
+    vec3 _181 = vec3((_87 * _174) + (_150 * _173.y), _174);
+    vec2 _188 = vec2(0.0, parameters.gOutputSize.w);
+    float _203 = _122 - _102;
+    vec2 _211 = mix(vec2(_203, _122), vec2(_102 - _112, _112), bvec2((all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_188) - vec2(0.5)), vec2(0.5))) ? abs(_112 - _102) : 131008.0) < (all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, _188) - vec2(0.5)), vec2(0.5))) ? abs(_203) : 65504.0)));
+    float _212 = _211.x;
+    vec3 _219 = vec3((_87 * _212) + (_188 * _211.y), _212);
+    vec3 _224 = cross(vec3(dot(parameters.gToShadowX.xyz, _181), dot(parameters.gToShadowY.xyz, _181), dot(parameters.gToShadowZ.xyz, _181)), vec3(dot(parameters.gToShadowX.xyz, _219), dot(parameters.gToShadowY.xyz, _219), dot(parameters.gToShadowZ.xyz, _219)));
+    float _225 = _224.z;
+    bool _249 = _102 > parameters.gCascadeFar.x;
+    bvec3 _250 = bvec3(_249);
+    bool _262 = _102 > parameters.gCascadeFar.y;
+    bvec3 _263 = bvec3(_262);
+    bool _276 = _102 > parameters.gCascadeFar.z;
+    bvec3 _277 = bvec3(_276);
+    vec3 _278 = mix(mix(mix(vec3(1.0), parameters.gCascadeScale1.xyz, _250), parameters.gCascadeScale2.xyz, _263), parameters.gCascadeScale3.xyz, _277);
+    float _281 = (float(_249) + float(_262)) + float(_276);
+    vec3 _282 = fma(vec3(dot(parameters.gToShadowX.xyz, _126), dot(parameters.gToShadowY.xyz, _126), dot(parameters.gToShadowZ.xyz, _126)) + vec3(parameters.gToShadowX.w, parameters.gToShadowY.w, parameters.gToShadowZ.w), _278, mix(mix(mix(vec3(0.0), parameters.gCascadeOffset1.xyz, _250), parameters.gCascadeOffset2.xyz, _263), parameters.gCascadeOffset3.xyz, _277));
+    float _283 = _278.z;
+    vec2 _284 = _278.xy;
+    vec2 _287 = clamp((-_224.xy) / vec2((abs(_225) > 9.9999996826552253889678874634872e-21) ? _225 : 9.9999996826552253889678874634872e-21), vec2(-parameters.gBias.z), vec2(parameters.gBias.z)) * (vec2(_283) / _284);
+    vec2 _295 = max(parameters.gDisc.xy * _284, vec2(parameters.gDisc.z));
+    vec2 _304 = parameters.gCascadeSize.xy - vec2(0.5);
+    vec2 _307 = floor(gl_FragCoord.xy);
+    float _312 = floor(parameters.gSubsetCount);
+    float _315 = (_312 > 1.0) ? min(_312, 16.0) : 1.0;
+    float _319 = floor((parameters.gFrameIndex > 0.0) ? min(parameters.gFrameIndex, 1048576.0) : 0.0);
+    vec2 _325 = vec2(0.019510664045810699462890625, 0.2793611586093902587890625) * fma(-_315, floor((_319 + 0.5) / _315), _319);
+    vec2 _328 = floor(_307 * 0.5);
+    vec2 _330 = _307 - (_328 * 2.0);
+    vec2 _334 = _328 - (floor(_307 * 0.25) * 2.0);
+    float _336 = _330.y;
+    float _339 = _334.y;
+    vec2 _345 = (abs(vec2(_330.x - _336, _334.x - _339)) * 2.0) + vec2(_336, _339);
+    float _350 = 6.283185482025146484375 * fma(fma(4.0, _345.x, _345.y), 0.0625, _325.x);
+    float _351 = cos(_350);
+    float _352 = sin(_350);
+    vec2 _357 = vec2(_307.y + 1.0, _307.x);
+    vec2 _359 = floor(_357 * 0.5);
+    vec2 _361 = _357 - (_359 * 2.0);
+    vec2 _365 = _359 - (floor(_357 * 0.25) * 2.0);
+    float _367 = _361.y;
+    float _370 = _365.y;
+    vec2 _376 = (abs(vec2(_361.x - _367, _365.x - _370)) * 2.0) + vec2(_367, _370);
+    float _380 = fma(fma(4.0, _376.x, _376.y), 0.0625, _325.y);
+    vec2 _381 = fract(vec2(0.5));
+    float _383 = 6.283185482025146484375 * _381.x;
+    float _384 = cos(_383);
+    float _385 = sin(_383);
+    vec2 _401 = clamp(floor(fma(_295 * sqrt(fract(_381.y + _380)), vec2(fma(_384, _351, -(_385 * _352)), fma(_384, _352, _385 * _351)), _282.xy)) + vec2(0.5), vec2(0.5), _304);
+    float _418 = -fma(parameters.gBias.y, _102, parameters.gBias.x);
+    vec2 _422 = fract(vec2(1.25487768650054931640625, 1.06984031200408935546875));
+    float _424 = 6.283185482025146484375 * _422.x;
+    float _425 = cos(_424);
+    float _426 = sin(_424);
+    vec2 _441 = clamp(floor(fma(_295 * sqrt(fract(_422.y + _380)), vec2(fma(_425, _351, -(_426 * _352)), fma(_425, _352, _426 * _351)), _282.xy)) + vec2(0.5), vec2(0.5), _304);
+    vec2 _458 = fract(vec2(2.0097553730010986328125, 1.6396806240081787109375));
+    float _460 = 6.283185482025146484375 * _458.x;
+    float _461 = cos(_460);
+    float _462 = sin(_460);
+    vec2 _477 = clamp(floor(fma(_295 * sqrt(fract(_458.y + _380)), vec2(fma(_461, _351, -(_462 * _352)), fma(_461, _352, _462 * _351)), _282.xy)) + vec2(0.5), vec2(0.5), _304);
+    vec2 _494 = fract(vec2(2.7646331787109375, 2.209520816802978515625));
+    float _496 = 6.283185482025146484375 * _494.x;
+    float _497 = cos(_496);
+    float _498 = sin(_496);
+    vec2 _513 = clamp(floor(fma(_295 * sqrt(fract(_494.y + _380)), vec2(fma(_497, _351, -(_498 * _352)), fma(_497, _352, _498 * _351)), _282.xy)) + vec2(0.5), vec2(0.5), _304);
+    float _537 = -(((float(textureLod(gInShadowMap, vec2(fma(_281, parameters.gCascadeSize.x, _401.x), _401.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_418, _283, min(_282.z + dot(_287, _401 - _282.xy), 1.0))) + float(textureLod(gInShadowMap, vec2(fma(_281, parameters.gCascadeSize.x, _441.x), _441.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_418, _283, min(_282.z + dot(_287, _441 - _282.xy), 1.0)))) + float(textureLod(gInShadowMap, vec2(fma(_281, parameters.gCascadeSize.x, _477.x), _477.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_418, _283, min(_282.z + dot(_287, _477 - _282.xy), 1.0)))) + float(textureLod(gInShadowMap, vec2(fma(_281, parameters.gCascadeSize.x, _513.x), _513.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_418, _283, min(_282.z + dot(_287, _513 - _282.xy), 1.0))));
+    gOutShadow = vec4((_102 < 65504.0) ? ((all(lessThanEqual(abs((_282.xy / parameters.gCascadeSize.xy) - vec2(0.5)), vec2(0.5))) && (_102 <= parameters.gCascadeFar.w)) ? fma(_537, 0.25, 1.0) : 1.0) : 1.0, _102, 0.0, 0.0);
+}
+

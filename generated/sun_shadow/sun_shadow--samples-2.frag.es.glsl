@@ -1,0 +1,127 @@
+#version 300 es
+precision highp float;
+precision highp int;
+
+layout(std140) uniform SunShadowParameters
+{
+    vec4 gOutputSize;
+    vec4 gToShadowX;
+    vec4 gToShadowY;
+    vec4 gToShadowZ;
+    vec4 gCascadeScale1;
+    vec4 gCascadeOffset1;
+    vec4 gCascadeScale2;
+    vec4 gCascadeOffset2;
+    vec4 gCascadeScale3;
+    vec4 gCascadeOffset3;
+    vec4 gCascadeFar;
+    vec4 gCascadeSize;
+    vec3 gDisc;
+    float gFrameIndex;
+    vec3 gBias;
+    float gSubsetCount;
+} parameters;
+
+uniform highp sampler2D gInCoarseDepth;
+uniform highp sampler2D gInShadowMap;
+
+layout(location = 0) out vec4 gOutShadow;
+
+void main()
+{
+    vec2 _79 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _83 = textureLod(gInCoarseDepth, _79, 0.0);
+    float _84 = _83.x;
+    float _86 = (_84 > 0.0) ? _84 : 65504.0;
+    float _88 = (_86 < 65504.0) ? _86 : 65504.0;
+    vec2 _92 = vec2(parameters.gOutputSize.z, 0.0);
+    vec2 _94 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-_92);
+    vec4 _95 = textureLod(gInCoarseDepth, _94, 0.0);
+    float _96 = _95.x;
+    float _98 = (_96 > 0.0) ? _96 : 65504.0;
+    float _100 = (_98 < 65504.0) ? _98 : 65504.0;
+    vec2 _104 = vec2(0.0, parameters.gOutputSize.w);
+    vec2 _106 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-_104);
+    vec4 _107 = textureLod(gInCoarseDepth, _106, 0.0);
+    float _108 = _107.x;
+    float _110 = (_108 > 0.0) ? _108 : 65504.0;
+    float _112 = (_110 < 65504.0) ? _110 : 65504.0;
+    vec2 _114 = gl_FragCoord.xy * parameters.gOutputSize.zw + _92;
+    vec4 _115 = textureLod(gInCoarseDepth, _114, 0.0);
+    float _116 = _115.x;
+    float _118 = (_116 > 0.0) ? _116 : 65504.0;
+    float _120 = (_118 < 65504.0) ? _118 : 65504.0;
+    vec2 _122 = gl_FragCoord.xy * parameters.gOutputSize.zw + _104;
+    vec4 _123 = textureLod(gInCoarseDepth, _122, 0.0);
+    float _124 = _123.x;
+    float _126 = (_124 > 0.0) ? _124 : 65504.0;
+    float _128 = (_126 < 65504.0) ? _126 : 65504.0;
+    vec3 _132 = vec3(_79 * _88, _88);
+    float _165 = _120 - _88;
+    vec2 _170 = vec2(_88 - _100, _100);
+    vec2 _171 = vec2(_165, _120);
+    bvec2 _172 = bvec2((all(lessThanEqual(abs(_94 - vec2(0.5)), vec2(0.5))) ? abs(_100 - _88) : 131008.0) < (all(lessThanEqual(abs(_114 - vec2(0.5)), vec2(0.5))) ? abs(_165) : 65504.0));
+    vec2 _173 = vec2(_172.x ? _170.x : _171.x, _172.y ? _170.y : _171.y);
+    float _174 = _173.x;
+    vec3 _181 = vec3((_79 * _174) + (_92 * _173.y), _174);
+    float _197 = _128 - _88;
+    vec2 _202 = vec2(_88 - _112, _112);
+    vec2 _203 = vec2(_197, _128);
+    bvec2 _204 = bvec2((all(lessThanEqual(abs(_106 - vec2(0.5)), vec2(0.5))) ? abs(_112 - _88) : 131008.0) < (all(lessThanEqual(abs(_122 - vec2(0.5)), vec2(0.5))) ? abs(_197) : 65504.0));
+    vec2 _205 = vec2(_204.x ? _202.x : _203.x, _204.y ? _202.y : _203.y);
+    float _206 = _205.x;
+    vec3 _213 = vec3((_79 * _206) + (_104 * _205.y), _206);
+    vec3 _218 = cross(vec3(dot(parameters.gToShadowX.xyz, _181), dot(parameters.gToShadowY.xyz, _181), dot(parameters.gToShadowZ.xyz, _181)), vec3(dot(parameters.gToShadowX.xyz, _213), dot(parameters.gToShadowY.xyz, _213), dot(parameters.gToShadowZ.xyz, _213)));
+    float _219 = _218.z;
+    bool _243 = _88 > parameters.gCascadeFar.x;
+    bvec3 _244 = bvec3(_243);
+    vec3 _245 = vec3(_244.x ? parameters.gCascadeScale1.xyz.x : vec3(1.0).x, _244.y ? parameters.gCascadeScale1.xyz.y : vec3(1.0).y, _244.z ? parameters.gCascadeScale1.xyz.z : vec3(1.0).z);
+    vec3 _246 = vec3(_244.x ? parameters.gCascadeOffset1.xyz.x : vec3(0.0).x, _244.y ? parameters.gCascadeOffset1.xyz.y : vec3(0.0).y, _244.z ? parameters.gCascadeOffset1.xyz.z : vec3(0.0).z);
+    bool _256 = _88 > parameters.gCascadeFar.y;
+    bvec3 _257 = bvec3(_256);
+    vec3 _258 = vec3(_257.x ? parameters.gCascadeScale2.xyz.x : _245.x, _257.y ? parameters.gCascadeScale2.xyz.y : _245.y, _257.z ? parameters.gCascadeScale2.xyz.z : _245.z);
+    float _261 = float(_243) + float(_256);
+    vec3 _262 = (vec3(dot(parameters.gToShadowX.xyz, _132), dot(parameters.gToShadowY.xyz, _132), dot(parameters.gToShadowZ.xyz, _132)) + vec3(parameters.gToShadowX.w, parameters.gToShadowY.w, parameters.gToShadowZ.w)) * _258 + vec3(_257.x ? parameters.gCascadeOffset2.xyz.x : _246.x, _257.y ? parameters.gCascadeOffset2.xyz.y : _246.y, _257.z ? parameters.gCascadeOffset2.xyz.z : _246.z);
+    float _263 = _258.z;
+    vec2 _264 = _258.xy;
+    vec2 _267 = clamp((-_218.xy) / vec2((abs(_219) > 9.9999996826552253889678874634872e-21) ? _219 : 9.9999996826552253889678874634872e-21), vec2(-parameters.gBias.z), vec2(parameters.gBias.z)) * (vec2(_263) / _264);
+    vec2 _275 = max(parameters.gDisc.xy * _264, vec2(parameters.gDisc.z));
+    vec2 _284 = parameters.gCascadeSize.xy - vec2(0.5);
+    vec2 _287 = floor(gl_FragCoord.xy);
+    float _292 = floor(parameters.gSubsetCount);
+    float _295 = (_292 > 1.0) ? min(_292, 16.0) : 1.0;
+    float _299 = floor((parameters.gFrameIndex > 0.0) ? min(parameters.gFrameIndex, 1048576.0) : 0.0);
+    vec2 _305 = vec2(0.509755313396453857421875, 0.13968057930469512939453125) * ((-_295) * floor((_299 + 0.5) / _295) + _299);
+    vec2 _308 = floor(_287 * 0.5);
+    vec2 _310 = _287 - (_308 * 2.0);
+    vec2 _314 = _308 - (floor(_287 * 0.25) * 2.0);
+    float _316 = _310.y;
+    float _319 = _314.y;
+    vec2 _325 = (abs(vec2(_310.x - _316, _314.x - _319)) * 2.0) + vec2(_316, _319);
+    float _330 = 6.283185482025146484375 * ((4.0 * _325.x + _325.y) * 0.0625 + _305.x);
+    float _331 = cos(_330);
+    float _332 = sin(_330);
+    vec2 _337 = vec2(_287.y + 1.0, _287.x);
+    vec2 _339 = floor(_337 * 0.5);
+    vec2 _341 = _337 - (_339 * 2.0);
+    vec2 _345 = _339 - (floor(_337 * 0.25) * 2.0);
+    float _347 = _341.y;
+    float _350 = _345.y;
+    vec2 _356 = (abs(vec2(_341.x - _347, _345.x - _350)) * 2.0) + vec2(_347, _350);
+    float _360 = (4.0 * _356.x + _356.y) * 0.0625 + _305.y;
+    vec2 _361 = fract(vec2(0.5));
+    float _363 = 6.283185482025146484375 * _361.x;
+    float _364 = cos(_363);
+    float _365 = sin(_363);
+    vec2 _372 = _262.xy;
+    vec2 _381 = clamp(floor((_275 * sqrt(fract(_361.y + _360))) * vec2(_364 * _331 + (-(_365 * _332)), _364 * _332 + (_365 * _331)) + _372) + vec2(0.5), vec2(0.5), _284);
+    float _393 = _262.z;
+    float _398 = -(parameters.gBias.y * _88 + parameters.gBias.x);
+    vec2 _402 = fract(vec2(1.25487768650054931640625, 1.06984031200408935546875));
+    float _404 = 6.283185482025146484375 * _402.x;
+    float _405 = cos(_404);
+    float _406 = sin(_404);
+    vec2 _421 = clamp(floor((_275 * sqrt(fract(_402.y + _360))) * vec2(_405 * _331 + (-(_406 * _332)), _405 * _332 + (_406 * _331)) + _372) + vec2(0.5), vec2(0.5), _284);
+    gOutShadow = vec4((_88 < 65504.0) ? ((all(lessThanEqual(abs((_372 / parameters.gCascadeSize.xy) - vec2(0.5)), vec2(0.5))) && (_88 <= parameters.gCascadeFar.z)) ? ((-(float(textureLod(gInShadowMap, vec2(_261 * parameters.gCascadeSize.x + _381.x, _381.y) * parameters.gCascadeSize.zw, 0.0).x < (_398 * _263 + min(_393 + dot(_267, _381 - _372), 1.0))) + float(textureLod(gInShadowMap, vec2(_261 * parameters.gCascadeSize.x + _421.x, _421.y) * parameters.gCascadeSize.zw, 0.0).x < (_398 * _263 + min(_393 + dot(_267, _421 - _372), 1.0))))) * 0.5 + 1.0) : 1.0) : 1.0, _88, 0.0, 0.0);
+}
+

@@ -1,0 +1,120 @@
+#version 450
+
+layout(binding = 0, std140) uniform SunShadowParameters
+{
+    vec4 gOutputSize;
+    vec4 gToShadowX;
+    vec4 gToShadowY;
+    vec4 gToShadowZ;
+    vec4 gCascadeScale1;
+    vec4 gCascadeOffset1;
+    vec4 gCascadeScale2;
+    vec4 gCascadeOffset2;
+    vec4 gCascadeScale3;
+    vec4 gCascadeOffset3;
+    vec4 gCascadeFar;
+    vec4 gCascadeSize;
+    vec3 gDisc;
+    float gFrameIndex;
+    vec3 gBias;
+    float gSubsetCount;
+} parameters;
+
+layout(binding = 1) uniform sampler2D gInCoarseDepth;
+layout(binding = 2) uniform sampler2D gInShadowMap;
+
+layout(location = 0) out vec4 gOutShadow;
+
+void main()
+{
+    vec2 _85 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec2 _89 = parameters.gOutputSize.zw * 0.5;
+    vec4 _92 = textureGather(gInCoarseDepth, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_89));
+    vec4 _95 = textureGather(gInCoarseDepth, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, _89));
+    float _96 = _92.y;
+    float _98 = (_96 > 0.0) ? _96 : 65504.0;
+    float _100 = (_98 < 65504.0) ? _98 : 65504.0;
+    float _101 = _92.x;
+    float _103 = (_101 > 0.0) ? _101 : 65504.0;
+    float _105 = (_103 < 65504.0) ? _103 : 65504.0;
+    float _106 = _92.z;
+    float _108 = (_106 > 0.0) ? _106 : 65504.0;
+    float _110 = (_108 < 65504.0) ? _108 : 65504.0;
+    float _111 = _95.z;
+    float _113 = (_111 > 0.0) ? _111 : 65504.0;
+    float _115 = (_113 < 65504.0) ? _113 : 65504.0;
+    float _116 = _95.x;
+    float _118 = (_116 > 0.0) ? _116 : 65504.0;
+    float _120 = (_118 < 65504.0) ? _118 : 65504.0;
+    vec3 _124 = vec3(_85 * _100, _100);
+    vec2 _148 = vec2(parameters.gOutputSize.z, 0.0);
+    float _163 = _115 - _100;
+    vec2 _171 = mix(vec2(_163, _115), vec2(_100 - _105, _105), bvec2((all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_148) - vec2(0.5)), vec2(0.5))) ? abs(_105 - _100) : 131008.0) < (all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, _148) - vec2(0.5)), vec2(0.5))) ? abs(_163) : 65504.0)));
+    float _172 = _171.x;
+    vec3 _179 = vec3((_85 * _172) + (_148 * _171.y), _172);
+    vec2 _186 = vec2(0.0, parameters.gOutputSize.w);
+    float _201 = _120 - _100;
+    vec2 _209 = mix(vec2(_201, _120), vec2(_100 - _110, _110), bvec2((all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_186) - vec2(0.5)), vec2(0.5))) ? abs(_110 - _100) : 131008.0) < (all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, _186) - vec2(0.5)), vec2(0.5))) ? abs(_201) : 65504.0)));
+    float _210 = _209.x;
+    vec3 _217 = vec3((_85 * _210) + (_186 * _209.y), _210);
+    vec3 _222 = cross(vec3(dot(parameters.gToShadowX.xyz, _179), dot(parameters.gToShadowY.xyz, _179), dot(parameters.gToShadowZ.xyz, _179)), vec3(dot(parameters.gToShadowX.xyz, _217), dot(parameters.gToShadowY.xyz, _217), dot(parameters.gToShadowZ.xyz, _217)));
+    float _223 = _222.z;
+    bool _247 = _100 > parameters.gCascadeFar.x;
+    bvec3 _248 = bvec3(_247);
+    bool _260 = _100 > parameters.gCascadeFar.y;
+    bvec3 _261 = bvec3(_260);
+    vec3 _262 = mix(mix(vec3(1.0), parameters.gCascadeScale1.xyz, _248), parameters.gCascadeScale2.xyz, _261);
+    float _265 = float(_247) + float(_260);
+    vec3 _266 = fma(vec3(dot(parameters.gToShadowX.xyz, _124), dot(parameters.gToShadowY.xyz, _124), dot(parameters.gToShadowZ.xyz, _124)) + vec3(parameters.gToShadowX.w, parameters.gToShadowY.w, parameters.gToShadowZ.w), _262, mix(mix(vec3(0.0), parameters.gCascadeOffset1.xyz, _248), parameters.gCascadeOffset2.xyz, _261));
+    float _267 = _262.z;
+    vec2 _268 = _262.xy;
+    vec2 _271 = clamp((-_222.xy) / vec2((abs(_223) > 9.9999996826552253889678874634872e-21) ? _223 : 9.9999996826552253889678874634872e-21), vec2(-parameters.gBias.z), vec2(parameters.gBias.z)) * (vec2(_267) / _268);
+    vec2 _279 = max(parameters.gDisc.xy * _268, vec2(parameters.gDisc.z));
+    float _284 = fma(parameters.gBias.y, _100, parameters.gBias.x);
+    vec2 _288 = parameters.gCascadeSize.xy - vec2(0.5);
+    vec2 _291 = floor(gl_FragCoord.xy);
+    float _296 = floor(parameters.gSubsetCount);
+    float _299 = (_296 > 1.0) ? min(_296, 16.0) : 1.0;
+    float _303 = floor((parameters.gFrameIndex > 0.0) ? min(parameters.gFrameIndex, 1048576.0) : 0.0);
+    vec2 _309 = vec2(0.019510664045810699462890625, 0.2793611586093902587890625) * fma(-_299, floor((_303 + 0.5) / _299), _303);
+    vec2 _312 = floor(_291 * 0.5);
+    vec2 _314 = _291 - (_312 * 2.0);
+    vec2 _318 = _312 - (floor(_291 * 0.25) * 2.0);
+    float _320 = _314.y;
+    float _323 = _318.y;
+    vec2 _329 = (abs(vec2(_314.x - _320, _318.x - _323)) * 2.0) + vec2(_320, _323);
+    float _334 = 6.283185482025146484375 * fma(fma(4.0, _329.x, _329.y), 0.0625, _309.x);
+    float _335 = cos(_334);
+    float _336 = sin(_334);
+    vec2 _341 = vec2(_291.y + 1.0, _291.x);
+    vec2 _343 = floor(_341 * 0.5);
+    vec2 _345 = _341 - (_343 * 2.0);
+    vec2 _349 = _343 - (floor(_341 * 0.25) * 2.0);
+    float _351 = _345.y;
+    float _354 = _349.y;
+    vec2 _360 = (abs(vec2(_345.x - _351, _349.x - _354)) * 2.0) + vec2(_351, _354);
+    float _364 = fma(fma(4.0, _360.x, _360.y), 0.0625, _309.y);
+    vec2 _365 = fract(vec2(0.5));
+    float _367 = 6.283185482025146484375 * _365.x;
+    float _368 = cos(_367);
+    float _369 = sin(_367);
+    vec2 _385 = clamp(floor(fma(_279 * sqrt(fract(_365.y + _364)), vec2(fma(_368, _335, -(_369 * _336)), fma(_368, _336, _369 * _335)), _266.xy)) + vec2(0.5), vec2(0.5), _288);
+    vec2 _405 = fract(vec2(1.25487768650054931640625, 1.06984031200408935546875));
+    float _407 = 6.283185482025146484375 * _405.x;
+    float _408 = cos(_407);
+    float _409 = sin(_407);
+    vec2 _424 = clamp(floor(fma(_279 * sqrt(fract(_405.y + _364)), vec2(fma(_408, _335, -(_409 * _336)), fma(_408, _336, _409 * _335)), _266.xy)) + vec2(0.5), vec2(0.5), _288);
+    vec2 _441 = fract(vec2(2.0097553730010986328125, 1.6396806240081787109375));
+    float _443 = 6.283185482025146484375 * _441.x;
+    float _444 = cos(_443);
+    float _445 = sin(_443);
+    vec2 _460 = clamp(floor(fma(_279 * sqrt(fract(_441.y + _364)), vec2(fma(_444, _335, -(_445 * _336)), fma(_444, _336, _445 * _335)), _266.xy)) + vec2(0.5), vec2(0.5), _288);
+    vec2 _477 = fract(vec2(2.7646331787109375, 2.209520816802978515625));
+    float _479 = 6.283185482025146484375 * _477.x;
+    float _480 = cos(_479);
+    float _481 = sin(_479);
+    vec2 _496 = clamp(floor(fma(_279 * sqrt(fract(_477.y + _364)), vec2(fma(_480, _335, -(_481 * _336)), fma(_480, _336, _481 * _335)), _266.xy)) + vec2(0.5), vec2(0.5), _288);
+    float _520 = -(((float(textureLod(gInShadowMap, vec2(fma(_265, parameters.gCascadeSize.x, _385.x), _385.y) * parameters.gCascadeSize.zw, 0.0).x > fma(_284, _267, max(_266.z + dot(_271, _385 - _266.xy), 0.0))) + float(textureLod(gInShadowMap, vec2(fma(_265, parameters.gCascadeSize.x, _424.x), _424.y) * parameters.gCascadeSize.zw, 0.0).x > fma(_284, _267, max(_266.z + dot(_271, _424 - _266.xy), 0.0)))) + float(textureLod(gInShadowMap, vec2(fma(_265, parameters.gCascadeSize.x, _460.x), _460.y) * parameters.gCascadeSize.zw, 0.0).x > fma(_284, _267, max(_266.z + dot(_271, _460 - _266.xy), 0.0)))) + float(textureLod(gInShadowMap, vec2(fma(_265, parameters.gCascadeSize.x, _496.x), _496.y) * parameters.gCascadeSize.zw, 0.0).x > fma(_284, _267, max(_266.z + dot(_271, _496 - _266.xy), 0.0))));
+    gOutShadow = vec4((_100 < 65504.0) ? ((all(lessThanEqual(abs((_266.xy / parameters.gCascadeSize.xy) - vec2(0.5)), vec2(0.5))) && (_100 <= parameters.gCascadeFar.z)) ? fma(_520, 0.25, 1.0) : 1.0) : 1.0, _100, 0.0, 0.0);
+}
+
