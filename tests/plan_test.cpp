@@ -295,6 +295,36 @@ TEST(Plan, eachStepReadsWhatTheOneBeforeWrote) {
     EXPECT_EQ(source(planned({.antiAliasing = false, .cachedValue = true}), 3, "gInFresh"), "gInFresh");
 }
 
+// Both share one cache: packed, and at the ratio that upsampling unpacks.
+TEST(Plan, occlusionAndShadowsShareACache) {
+    const FramePlan plan = planned(lighting({.objectsMove = false, .sunShadows = true}));
+    EXPECT_EQ(passNames(plan),
+              (Names{"depth_downsample", "ambient_occlusion", "sun_shadow", "reprojection_cache",
+                     "bilateral_filter", "bilateral_filter", "bilateral_upsample"}));
+    for (const char* pass : {"sun_shadow", "reprojection_cache", "bilateral_filter", "bilateral_upsample"})
+        EXPECT_EQ(switchOf(plan, pass, "VALUES"), "occlusion_in_integer") << pass;
+    const FramePlan shadows =
+        planned({.antiAliasing = false, .objectsMove = false, .sunShadows = true, .reversedShadows = true},
+                {.cache = {.cascades = 2}});
+    EXPECT_EQ(switchOf(shadows, "sun_shadow", "VALUES"), "one");
+    EXPECT_EQ(switchOf(shadows, "sun_shadow", "CASCADES"), "2");
+    EXPECT_EQ(switchOf(shadows, "sun_shadow", "SHADOW_REVERSED"), "on");
+    EXPECT_EQ(passOf(shadows, "ambient_occlusion"), nullptr);
+    EXPECT_TRUE(imageOf(shadows, "gInShadowMap")->external);
+    EXPECT_EQ(imageOf(shadows, "gInShadowMap")->extent.width, 0u) << "an extent of its own";
+}
+
+// At a ratio of 1 the last step's image is the lighting.
+TEST(Plan, fullResolutionIsNotUpsampled) {
+    const FramePlan plan =
+        planned(lighting({.objectsMove = false}), {.cache = {.ratio = 1, .history = false, .filter = false}});
+    EXPECT_EQ(passNames(plan), (Names{"depth_downsample", "ambient_occlusion"}));
+    EXPECT_EQ(imageOf(plan, "gOutOcclusion")->extent.width, 640u);
+    const FramePlan filtered = planned(lighting({.objectsMove = false}), {.cache = {.ratio = 1}});
+    EXPECT_EQ(passNames(filtered).back(), "bilateral_filter");
+    EXPECT_NE(reasonFor(filtered, "bilateral_upsample"), "");
+}
+
 // Odd sizes round up, and every coarse image follows the ratio, of passes too that do not know it.
 TEST(Plan, coarseImagesFollowTheRatio) {
     for (const uint32_t ratio : {2u, 4u}) {
@@ -337,7 +367,10 @@ TEST(Plan, mistakesOfTheCacheAreSentences) {
         return !result && result.error().code == ErrorCode::invalidArgument &&
                result.error().message.find(text) != std::string::npos;
     };
-    EXPECT_TRUE(says(tryPlan(lighting(), {.cache = {.ratio = 3}}), "ratio is 2 or 4"));
+    EXPECT_TRUE(says(tryPlan(lighting(), {.cache = {.ratio = 3}}), "ratio is 1, 2 or 4"));
+    EXPECT_TRUE(
+        says(tryPlan(lighting({.sunShadows = true}), {.cache = {.ratio = 1}}), "a recorder for each"));
+    EXPECT_TRUE(says(tryPlan(lighting({.sunShadows = true}), {.cache = {.cascades = 5}}), "CASCADES"));
     EXPECT_TRUE(says(tryPlan(lighting(), {.cache = {.samples = 5}}), "SAMPLES"));
     EXPECT_TRUE(says(tryPlan(lighting({.cachedValue = true})), "a recorder for each"));
 }

@@ -54,7 +54,7 @@ constexpr float surfaceDepth = 0.1f / (1.001f - 0.5f);
 TEST_P(LightingTest, aValueOfTheEnginesIsAveragedOverFrames) {
     const Extent extent{33, 18};
     for (const bool moves : {false, true})
-        for (const uint32_t ratio : {2u, 4u})
+        for (const uint32_t ratio : {1u, 2u, 4u})
             for (const bool filtersHistory : {false, true}) {
                 SceneNeeds needs = with(still, &SceneNeeds::cachedValue);
                 needs.cameraMoves = moves; // it does not, but history is then reprojected
@@ -71,7 +71,8 @@ TEST_P(LightingTest, aValueOfTheEnginesIsAveragedOverFrames) {
                     auto input = frame.input(n);
                     input.fresh = fresh.image.ref;
                     const auto lighting = lightingOf(recorder, input);
-                    for (size_t i = 0; i < lighting.size(); i += 2)
+                    const size_t channels = lighting.size() / (size_t(extent.width) * extent.height);
+                    for (size_t i = 0; i < lighting.size(); i += channels)
                         ASSERT_NEAR(lighting[i], sum / double(n + 1), 3e-3)
                             << "frame " << n << ", texel " << i / 2;
                 }
@@ -193,6 +194,64 @@ TEST_P(LightingTest, brokenDepthIsGoneInTheNextFrame) {
             }
         }
     }
+}
+
+// A shadow map of one cascade whose left half stands in the sun: the left half of a wall that the camera
+// faces is lit, the right one is not, alone and packed with occlusion.
+TEST_P(LightingTest, shadowsOfTheSunAreCachedAloneAndWithOcclusion) {
+    const Extent extent{64, 32};
+    TestFrame frame(extent);
+    harness::Image map = testGpu().image(VK_FORMAT_R32_SFLOAT, 256, 256);
+    std::vector<float> depths;
+    for (int i = 0; i < 256 * 256; ++i)
+        depths.push_back(i % 256 < 128 ? 1.0f : 0.0f);
+    testGpu().uploadFloats(map, depths);
+    ShadowCascade cascade;
+    cascade.farDepth = 100.0;
+    cascade.worldToClip = glm::dmat4(1.0); // the sun looks along the camera, over 2 m, from 0 to 1 m
+    for (const bool occlusion : {false, true})
+        for (const std::string_view packing : {"occlusion_in_integer", "shadow_in_integer"}) {
+            SceneNeeds needs = with(still, &SceneNeeds::sunShadows);
+            needs.ambientOcclusion = occlusion;
+            auto recorder = makeRecorder(info(needs, extent, {.cascades = 1, .packing = packing}));
+            for (uint64_t n = 0; n < 4; ++n) {
+                auto input = frame.input(n);
+                input.shadowMap = map.ref;
+                input.cascades = {&cascade, 1};
+                input.cache.shadow.radius = 0.01;
+                const auto lighting = lightingOf(recorder, input);
+                for (uint32_t i = 0; i < extent.width * extent.height; ++i) {
+                    const uint32_t x = i % extent.width;
+                    if (x > 22 && x < 42) continue; // the filter's reach
+                    ASSERT_NEAR(lighting[2 * i + (occlusion ? 1 : 0)], x < 32 ? 1.0f : 0.0f, 0.02f)
+                        << "texel " << x;
+                    if (occlusion) {
+                        ASSERT_NEAR(lighting[2 * i], 1.0f, 0.02f);
+                    }
+                }
+            }
+        }
+}
+
+TEST_P(LightingTest, whatShadowsMissIsNamed) {
+    const Extent extent{16, 16};
+    auto recorder = makeRecorder(info(with(still, &SceneNeeds::sunShadows), extent));
+    TestFrame frame(extent);
+    const auto missing = recordOne(recorder, frame.input(0));
+    ASSERT_FALSE(missing);
+    EXPECT_NE(missing.error().message.find("FrameInput::shadowMap"), std::string::npos)
+        << missing.error().message;
+    harness::Image map = testGpu().image(VK_FORMAT_R32_SFLOAT, 30, 10);
+    testGpu().uploadFloats(map, std::vector<float>(300, 1.0f));
+    auto input = frame.input(0);
+    input.shadowMap = map.ref;
+    const auto none = recordOne(recorder, input);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::invalidArgument);
+    EXPECT_NE(none.error().message.find("cascade"), std::string::npos) << none.error().message;
+    const ShadowCascade one{glm::dmat4(1.0), 10.0};
+    input.cascades = {&one, 1};
+    EXPECT_FALSE(recordOne(recorder, input)) << "the recorder is for three";
 }
 
 // Every combination of needs and steps, three frames of each in one command buffer, where synchronization

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear depth at half or quarter resolution, which the framework computes at. Drobot, "Shadows and Ambient
-// Occlusion Combined": "the minimum depth of the four underlying pixels", the nearest in metres whichever way
-// device depth runs.
+// Linear depth at half or quarter resolution, or at the whole, which the framework computes at. Drobot,
+// "Shadows and Ambient Occlusion Combined": "the minimum depth of the four underlying pixels", the nearest in
+// metres whichever way device depth runs.
 //
 // gInDepth        R32F or D32F, device depth in [0,1] (any depth kind), or metres with DEPTH_LINEAR
 // gOutCoarseDepth R32F, metres, in (0, SKY_DEPTH]; ceil(extent / RATIO) texels: of an odd size the last ones
@@ -96,8 +96,11 @@ float chosenDepth(float2 positionPx) {
     float4 rightDown = readFour(centrePx + 1.0);
     float4 near = closest(closest(leftUp, rightUp), closest(leftDown, rightDown));
     float4 far = farthest(farthest(leftUp, rightUp), farthest(leftDown, rightDown));
-#else
+#elif RATIO_2
     float4 near = readFour(2.0 * positionPx);
+    float4 far = near;
+#else
+    float4 near = knownDepths(SAMPLE(gInDepth, pxToUv(positionPx, gInputSize.zw)).rrrr);
     float4 far = near;
 #endif
 #if CHECKERBOARD

@@ -7,6 +7,7 @@
 #include "object_velocity.hpp"
 #include "pass_access.hpp"
 #include "plan_images.hpp"
+#include "plan_switches.hpp"
 #include "reprise/format.hpp"
 
 #include <algorithm>
@@ -130,12 +131,13 @@ struct External {
     const ImageRef* image;
 };
 
-std::array<External, 4> externals(const FrameInput& input) {
+std::array<External, 5> externals(const FrameInput& input) {
     const auto given = [](const std::optional<ImageRef>& image) { return image ? &*image : nullptr; };
     return {{{"gInColour", "FrameInput::colour", &input.colour},
              {"gInDepth", "FrameInput::depth", &input.depth},
              {"gInVelocity", "FrameInput::motion", given(input.motion)},
-             {"gInFresh", "FrameInput::fresh", given(input.fresh)}}};
+             {"gInFresh", "FrameInput::fresh", given(input.fresh)},
+             {"gInShadowMap", "FrameInput::shadowMap", given(input.shadowMap)}}};
 }
 
 const ImageRef* externalImage(const FrameInput& input, std::string_view name) {
@@ -184,7 +186,10 @@ Result<void> checkObjects(const Recorder& recorder, const FrameInput& input) {
 
 Result<void> checkExternal(const Recorder& recorder, int index, const External& external) {
     const PlannedImage& planned = recorder.plan.images[static_cast<size_t>(index)];
-    auto checked = checkImage(external.image, external.field, {planned.extent.width, planned.extent.height});
+    const bool ownExtent = planned.extent.width == 0 && external.image != nullptr;
+    auto checked = checkImage(external.image, external.field,
+                              ownExtent ? external.image->extent
+                                        : VkExtent2D{planned.extent.width, planned.extent.height});
     if (!checked) return checked;
     return checkFormat(recorder.device, external.image->format, readFeatures(recorder.plan, index),
                        external.field);
@@ -196,6 +201,12 @@ Result<void> checkInput(const Recorder& recorder, const FrameInput& input) {
             if (recorder.plan.images[i].external && recorder.plan.images[i].name == external.name)
                 if (auto checked = checkExternal(recorder, static_cast<int>(i), external); !checked)
                     return checked;
+    const uint32_t cascades = recorder.plan.cache.cascades;
+    if (recorder.needs.sunShadows && input.cascades.size() != cascades)
+        return Error{ErrorCode::invalidArgument,
+                     "FrameInput::cascades has " + std::to_string(input.cascades.size()) +
+                         " entries, but CacheSettings::cascades is " + std::to_string(cascades) +
+                         "; give one for each column."};
     return checkObjects(recorder, input);
 }
 
@@ -302,7 +313,8 @@ Result<PreparedPass> prepareFullscreen(const Recorder& recorder, size_t index, F
                            frame.historyFrames > 0, needs.reversedDepth, needs.linearDepth,
                            needs.engineWritesMotion};
     const auto parameters = cacheParameters(name, planned.run, frame.input, cache);
-    return preparePass(recorder, index, arena, frame.input, parameters);
+    if (!parameters) return parameters.error();
+    return preparePass(recorder, index, arena, frame.input, *parameters);
 }
 
 Result<PreparedStep> prepareStep(const Recorder& recorder, size_t index, FrameArena& arena,
@@ -410,11 +422,13 @@ FrameOutput outputOf(const Recorder& recorder, const FrameInput& input, std::str
     const auto owned = [&](std::string_view name) -> std::optional<ImageRef> {
         const auto found = std::ranges::find(recorder.plan.images, name, &PlannedImage::name);
         if (found == recorder.plan.images.end()) return {};
-        return recorder.images.images[static_cast<size_t>(found - recorder.plan.images.begin())][0].ref;
+        return refOf(recorder, writePlace(recorder, static_cast<int>(found - recorder.plan.images.begin())));
     };
     output.motion = owned(velocityImage);
     if (!output.motion) output.motion = input.motion;
-    output.lighting = owned(lightingImage);
+    if (cachesAnything(recorder.needs))
+        for (const std::string& name : lightingImages())
+            if (!output.lighting) output.lighting = owned(name);
     output.historyWasReset = !reason.empty();
     output.resetReason = reason;
     return output;

@@ -78,6 +78,17 @@ AmbientOcclusionParameters occlusionParameters(const FrameInput& input, const Ca
     return p;
 }
 
+Result<SunShadowParameters> shadowParameters(const FrameInput& input, const CacheFrame& frame) {
+    const VkExtent2D map = input.shadowMap ? input.shadowMap->extent : VkExtent2D{};
+    auto p = sunShadowParameters(input.camera, frameToCoarse(frame), input.cascades, map.width, map.height,
+                                 input.cache.shadow);
+    if (!p) return p;
+    store(p->gOutputSize, sizeOf(coarseExtent(frame)));
+    p->gFrameIndex = patternFrame(input);
+    p->gSubsetCount = static_cast<float>(input.cache.subsets);
+    return p;
+}
+
 ReprojectionCacheParameters historyParameters(const FrameInput& input, const CacheFrame& frame) {
     const CacheTuning& tuning = input.cache;
     const glm::dmat4& before = frame.previous.viewToClip;
@@ -127,10 +138,15 @@ template <class Parameters> std::vector<std::byte> bytesOf(const Parameters& par
 
 } // namespace
 
-std::vector<std::byte> cacheParameters(std::string_view pass, std::string_view run, const FrameInput& input,
-                                       const CacheFrame& frame) {
+Result<std::vector<std::byte>> cacheParameters(std::string_view pass, std::string_view run,
+                                               const FrameInput& input, const CacheFrame& frame) {
     if (pass == "depth_downsample") return bytesOf(downsampleParameters(input, frame));
     if (pass == "ambient_occlusion") return bytesOf(occlusionParameters(input, frame));
+    if (pass == "sun_shadow") {
+        auto parameters = shadowParameters(input, frame);
+        if (!parameters) return parameters.error();
+        return bytesOf(*parameters);
+    }
     if (pass == "reprojection_cache") return bytesOf(historyParameters(input, frame));
     if (pass == "bilateral_filter") return bytesOf(filterParameters(run, input, frame));
     return bytesOf(upsampleParameters(input, frame));

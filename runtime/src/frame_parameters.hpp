@@ -24,7 +24,8 @@ struct CacheFrame {
     bool historyValid = false, reversedDepth = false, linearDepth = false, engineMotion = false;
 };
 // The uniform buffer of a framework's pass, by its name; run: "across" or "down" of bilateral_filter.
-std::vector<std::byte> cacheParameters(std::string_view pass, std::string_view run, const FrameInput& input,
-                                       const CacheFrame& frame);
+// Errors: those of sunShadowParameters().
+Result<std::vector<std::byte>> cacheParameters(std::string_view pass, std::string_view run,
+                                               const FrameInput& input, const CacheFrame& frame);
 
 } // namespace reprise

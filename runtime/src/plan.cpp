@@ -19,6 +19,8 @@ std::string_view vetoOf(const PassInfo& pass, const SceneNeeds& needs, const Set
     if (pass.name == temporalPass && !needs.antiAliasing) return "Anti-aliasing is not asked for.";
     if (pass.name == upsamplePass && !cachesAnything(needs))
         return "Neither occlusion nor shadows nor a value of the engine's is asked for.";
+    if (pass.name == upsamplePass && settings.cache.ratio == 1)
+        return "CacheSettings::ratio is 1: there is nothing to upsample.";
     if (pass.name == "ambient_occlusion" && !needs.ambientOcclusion)
         return "Ambient occlusion is not asked for.";
     if (pass.name == "sun_shadow" && !needs.sunShadows) return "Sun shadows are not asked for.";
@@ -101,12 +103,12 @@ void drop(FramePlan& plan, std::string_view pass, std::string reason) {
 }
 
 // Walks back from the anti-aliased frame and from the framework's last step.
-void choosePasses(std::vector<Candidate> candidates, FramePlan& plan) {
+void choosePasses(std::vector<Candidate> candidates, const SceneNeeds& needs, FramePlan& plan) {
     std::vector<std::string> wanted;
+    if (cachesAnything(needs)) wanted = lightingImages();
     for (auto candidate = candidates.rbegin(); candidate != candidates.rend(); ++candidate) {
         const std::string_view name = candidate->pass.variant.pass->name;
-        const bool root = name == temporalPass || name == upsamplePass;
-        const bool needed = root || wantsAny(wanted, candidate->pass);
+        const bool needed = name == temporalPass || wantsAny(wanted, candidate->pass);
         if (!candidate->veto.empty()) {
             drop(plan, name, std::string(candidate->veto));
         } else if (!needed) {
@@ -119,9 +121,14 @@ void choosePasses(std::vector<Candidate> candidates, FramePlan& plan) {
 }
 
 Result<void> checkCache(const SceneNeeds& needs, const CacheSettings& cache) {
-    if (cache.ratio != 2 && cache.ratio != 4)
+    if (cache.ratio != 1 && cache.ratio != 2 && cache.ratio != 4)
         return Error{ErrorCode::invalidArgument,
-                     "CacheSettings::ratio is 2 or 4, not " + std::to_string(cache.ratio) + "."};
+                     "CacheSettings::ratio is 1, 2 or 4, not " + std::to_string(cache.ratio) + "."};
+    if (cache.ratio == 1 && needs.ambientOcclusion && needs.sunShadows)
+        return Error{
+            ErrorCode::invalidArgument,
+            "Occlusion and shadows share a cache below full resolution only, where upsampling unpacks "
+            "them; at a ratio of 1 make a plan and a recorder for each."};
     if (needs.cachedValue && (needs.ambientOcclusion || needs.sunShadows))
         return Error{ErrorCode::invalidArgument,
                      "A cache holds occlusion and shadows or a value of the engine's; make a plan and a "
@@ -164,7 +171,7 @@ Result<FramePlan> plan(std::span<const PassInfo> passes, std::span<const PresetI
         plan.cache = settings.cache;
         auto candidates = candidatesFor(passes, presets, needs, settings, plan.dropped);
         if (!candidates) return candidates.error();
-        choosePasses(std::move(*candidates), plan);
+        choosePasses(std::move(*candidates), needs, plan);
         planImages(plan, needs.engineWritesMotion, settings.colourFormat, extent);
         return plan;
     });

@@ -112,9 +112,14 @@ void addHistory(FramePlan& plan, PlannedPass& pass) {
 
 // The engine may read these after the frame is recorded.
 void keepOutputs(FramePlan& plan) {
-    for (const std::string_view name : {velocityImage, lightingImage})
-        if (const int image = find(plan, name); image >= 0)
-            at(plan, image).lastPass = static_cast<int>(plan.passes.size()) - 1;
+    const auto keep = [&](std::string_view name) {
+        const int image = find(plan, name);
+        if (image >= 0) at(plan, image).lastPass = static_cast<int>(plan.passes.size()) - 1;
+        return image >= 0;
+    };
+    keep(velocityImage);
+    for (const std::string& name : lightingImages())
+        if (keep(name)) break;
 }
 
 } // namespace
@@ -130,9 +135,16 @@ std::vector<std::string> sourcesOf(std::string_view input) {
     if (input == "gInFresh") return {"gOutShadow", "gOutOcclusion"};
     if (input == "gInCache") return {"gOutFilteredAcross", "gOutCache"};
     if (input == "gInFiltered") return {"gOutFiltered", "gOutCache", "gOutShadow", "gOutOcclusion"};
-    if (input == "gInLighting") return {std::string(lightingImage)};
+    if (input == "gInLighting") return lightingImages();
     if (input == "gInColour") return {"gOutLit"};
     return {std::string(outPrefix) + std::string(input.substr(inPrefix.size()))};
+}
+
+std::vector<std::string> lightingImages() {
+    std::vector<std::string> images{"gOutUpsampled"};
+    for (std::string& each : sourcesOf("gInFiltered"))
+        images.push_back(std::move(each));
+    return images;
 }
 
 std::string imageName(const PlannedPass& pass, std::string_view output) {

@@ -7,8 +7,7 @@
 namespace reprise {
 
 inline constexpr std::string_view temporalPass = "temporal_aa", velocityImage = "gOutVelocity";
-// The last step of the framework and what it writes, at the frame's extent.
-inline constexpr std::string_view upsamplePass = "bilateral_upsample", lightingImage = "gOutUpsampled";
+inline constexpr std::string_view upsamplePass = "bilateral_upsample";
 inline constexpr std::string_view cachePass = "reprojection_cache", filterPass = "bilateral_filter";
 
 bool isHistory(const ImageInfo& input);
@@ -16,6 +15,8 @@ bool isImage(const ImageInfo& info); // else a buffer
 // The images that an input may be, the first that an earlier pass wrote: gInVelocity is what gOutVelocity
 // wrote; the framework's steps read what the step before wrote, whichever that is.
 std::vector<std::string> sourcesOf(std::string_view input);
+// What the framework hands over: the first of these images that there is.
+std::vector<std::string> lightingImages();
 // Image that a pass writes as this output: the two runs of the filter write two.
 std::string imageName(const PlannedPass& pass, std::string_view output);
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plan_switches.hpp"
 
+#include "plan_images.hpp"
+
 #include <algorithm>
 #include <array>
 
 namespace reprise {
 namespace {
-
-constexpr std::string_view temporalPass = "temporal_aa";
 
 enum class Wish { asPreset, off, on };
 
@@ -17,7 +17,7 @@ struct Rule {
     std::string_view reason; // of off
 };
 
-std::array<Rule, 6> rulesFor(const SceneNeeds& needs) {
+std::array<Rule, 7> rulesFor(const SceneNeeds& needs) {
     const auto onIf = [](bool condition) { return condition ? Wish::on : Wish::off; };
     const Wish unlessStill = anythingMoves(needs) ? Wish::asPreset : Wish::off;
     return {{
@@ -28,6 +28,7 @@ std::array<Rule, 6> rulesFor(const SceneNeeds& needs) {
         // Linear depth grows away from the camera, whatever the device depth does.
         {"DEPTH_REVERSED", onIf(needs.reversedDepth && !needs.linearDepth), "Nearer is the smaller depth."},
         {"DEPTH_LINEAR", onIf(needs.linearDepth), "Depth is device depth."},
+        {"SHADOW_REVERSED", onIf(needs.reversedShadows), "Depth of the shadow map is not reversed."},
         {"ORTHOGRAPHIC", onIf(needs.orthographic), "The camera is a perspective one."},
     }};
 }
@@ -62,6 +63,7 @@ std::vector<Choice> choicesFor(const SceneNeeds& needs, const CacheSettings& cac
     std::vector<Choice> choices{
         {"RATIO", std::to_string(cache.ratio), {}},
         {"SAMPLES", std::to_string(cache.samples), {}},
+        {"CASCADES", std::to_string(cache.cascades), {}},
         {"CHANGE_DETECTION", cache.detectsChanges && cache.history ? "on" : "off", {}}};
     if (needs.ambientOcclusion && needs.sunShadows)
         choices.push_back({"VALUES", std::string(cache.packing), {}});
@@ -81,6 +83,7 @@ Result<void> applyChoices(Variant& variant, const SceneNeeds& needs, const Cache
                           std::vector<Dropped>& dropped) {
     for (const Choice& choice : choicesFor(needs, cache)) {
         if (!hasSwitch(*variant.pass, choice.switchName)) continue;
+        if (variant.pass->name == upsamplePass && cache.ratio == 1) continue; // it is left out
         if (auto set = setSwitch(variant, choice.switchName, choice.value); !set) return set;
         if (!choice.reason.empty())
             dropped.push_back({std::string(variant.pass->name) + ": " + std::string(choice.switchName),

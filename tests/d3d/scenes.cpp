@@ -152,7 +152,7 @@ template <class Case> std::shared_ptr<const Case> shared(Case frame) {
 }
 
 std::vector<Scene> depthDownsampleScenes(const Variant& variant) {
-    const int ratio = reprise::switchValue(variant, "RATIO") == "4" ? 4 : 2;
+    const int ratio = reprise::switchValue(variant, "RATIO").front() - '0';
     std::vector<Scene> scenes;
     for (const Size size : sizes) {
         const auto frame =

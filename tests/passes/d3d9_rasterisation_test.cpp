@@ -220,7 +220,7 @@ Comparison objectVelocity(const D3d9Pack& pack, const Variant& variant, Size siz
 
 // The framework's: `size` is that of the target, whatever the ratio.
 Comparison depthDownsample(const D3d9Pack& pack, const Variant& variant, Size size) {
-    const int ratio = reprise::switchValue(variant, "RATIO") == "4" ? 4 : 2;
+    const int ratio = reprise::switchValue(variant, "RATIO").front() - '0';
     const auto frame = randomDepthDownsampleCase(variant, ratio * size.width, ratio * size.height, 74);
     Pass pass = fullscreenPass(pack, variant, {r32f});
     return compareWithOracle(frame, run(pass, frame)[0]);

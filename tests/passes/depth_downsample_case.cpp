@@ -50,7 +50,7 @@ DepthDownsampleCase randomDepthDownsampleCase(const Variant& variant, int width,
     const CameraKind kind = kindOf(variant, infinite);
     const bool linear = isOn(variant, "DEPTH_LINEAR");
     frame.viewToClip = projectionOf(kind, static_cast<double>(width) / height);
-    frame.pass.ratio = reprise::switchValue(variant, "RATIO") == "4" ? 4 : 2;
+    frame.pass.ratio = reprise::switchValue(variant, "RATIO").front() - '0';
     frame.pass.checkerboard = isOn(variant, "CHECKERBOARD");
     frame.pass.skyFromM = kind.depth == Depth::reversedInfinite ? 1e5 : 0.999 * farPlane;
     frame.pass.linearDepth = [linear, viewToClip = frame.viewToClip](double stored) {

@@ -44,7 +44,7 @@ const reprise::ImageRef& engineImage(const reprise::FrameInput& input, std::stri
     if (name == "gInDepth") return input.depth;
     if (name == "gInColour") return input.colour;
     if (name == "gInVelocity" && input.motion) return *input.motion;
-    if (name == "gInFresh" && input.fresh) return *input.fresh;
+    if (name == "gInShadowMap" && input.shadowMap) return *input.shadowMap;
     throw std::runtime_error(fmt::format("The report has no image for {}", name));
 }
 
@@ -136,7 +136,7 @@ std::vector<std::byte> parametersOf(const PlannedPass& pass, const reprise::Fram
     const reprise::CacheFrame frame{
         input.frames[0].camera,  extent, plan.cache.ratio, true, needs.reversedDepth, needs.linearDepth,
         needs.engineWritesMotion};
-    return reprise::cacheParameters(name, pass.run, input.frames[1], frame);
+    return orThrow(reprise::cacheParameters(name, pass.run, input.frames[1], frame));
 }
 
 // Sections for the frame as the recorder records it, and for each pass alone. label: unique.

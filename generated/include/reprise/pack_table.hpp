@@ -102,6 +102,53 @@ inline constexpr uint32_t gInCoarseDepth_sampler = 33;
 inline constexpr uint32_t gInCoarseNormal_sampler = 34;
 }
 
+// sun_shadow: Soft shadows of the sun from a cascaded shadow map with few samples a frame
+struct alignas(16) SunShadowParameters {
+    float gOutputSize[4];   // float4
+    float gToShadowX[4];   // float4
+    float gToShadowY[4];   // float4
+    float gToShadowZ[4];   // float4
+    float gCascadeScale1[4];   // float4
+    float gCascadeOffset1[4];   // float4
+    float gCascadeScale2[4];   // float4
+    float gCascadeOffset2[4];   // float4
+    float gCascadeScale3[4];   // float4
+    float gCascadeOffset3[4];   // float4
+    float gCascadeFar[4];   // float4
+    float gCascadeSize[4];   // float4
+    float gDisc[3];   // float3
+    float gFrameIndex;
+    float gBias[3];   // float3
+    float gSubsetCount;
+};
+static_assert(sizeof(SunShadowParameters) == 224);
+static_assert(offsetof(SunShadowParameters, gOutputSize) == 0);
+static_assert(offsetof(SunShadowParameters, gToShadowX) == 16);
+static_assert(offsetof(SunShadowParameters, gToShadowY) == 32);
+static_assert(offsetof(SunShadowParameters, gToShadowZ) == 48);
+static_assert(offsetof(SunShadowParameters, gCascadeScale1) == 64);
+static_assert(offsetof(SunShadowParameters, gCascadeOffset1) == 80);
+static_assert(offsetof(SunShadowParameters, gCascadeScale2) == 96);
+static_assert(offsetof(SunShadowParameters, gCascadeOffset2) == 112);
+static_assert(offsetof(SunShadowParameters, gCascadeScale3) == 128);
+static_assert(offsetof(SunShadowParameters, gCascadeOffset3) == 144);
+static_assert(offsetof(SunShadowParameters, gCascadeFar) == 160);
+static_assert(offsetof(SunShadowParameters, gCascadeSize) == 176);
+static_assert(offsetof(SunShadowParameters, gDisc) == 192);
+static_assert(offsetof(SunShadowParameters, gFrameIndex) == 204);
+static_assert(offsetof(SunShadowParameters, gBias) == 208);
+static_assert(offsetof(SunShadowParameters, gSubsetCount) == 220);
+namespace bindings::sun_shadow {
+inline constexpr uint32_t SunShadowParameters = 0;
+inline constexpr uint32_t gInCoarseDepth = 1;
+inline constexpr uint32_t gInShadowMap = 2;
+inline constexpr uint32_t gInOcclusion = 3;
+inline constexpr uint32_t gOutShadow = 16;
+inline constexpr uint32_t gInCoarseDepth_sampler = 33;
+inline constexpr uint32_t gInShadowMap_sampler = 34;
+inline constexpr uint32_t gInOcclusion_sampler = 35;
+}
+
 // reprojection_cache: A fresh value accumulated into its reprojected history
 struct alignas(16) ReprojectionCacheParameters {
     float gViewToPreviousClip[16];   // float4x4
@@ -195,53 +242,6 @@ inline constexpr uint32_t gInCoarseDepth_sampler = 34;
 inline constexpr uint32_t gInDepth_sampler = 35;
 inline constexpr uint32_t gInNormal_sampler = 36;
 inline constexpr uint32_t gInCoarseNormal_sampler = 37;
-}
-
-// sun_shadow: Soft shadows of the sun from a cascaded shadow map with few samples a frame
-struct alignas(16) SunShadowParameters {
-    float gOutputSize[4];   // float4
-    float gToShadowX[4];   // float4
-    float gToShadowY[4];   // float4
-    float gToShadowZ[4];   // float4
-    float gCascadeScale1[4];   // float4
-    float gCascadeOffset1[4];   // float4
-    float gCascadeScale2[4];   // float4
-    float gCascadeOffset2[4];   // float4
-    float gCascadeScale3[4];   // float4
-    float gCascadeOffset3[4];   // float4
-    float gCascadeFar[4];   // float4
-    float gCascadeSize[4];   // float4
-    float gDisc[3];   // float3
-    float gFrameIndex;
-    float gBias[3];   // float3
-    float gSubsetCount;
-};
-static_assert(sizeof(SunShadowParameters) == 224);
-static_assert(offsetof(SunShadowParameters, gOutputSize) == 0);
-static_assert(offsetof(SunShadowParameters, gToShadowX) == 16);
-static_assert(offsetof(SunShadowParameters, gToShadowY) == 32);
-static_assert(offsetof(SunShadowParameters, gToShadowZ) == 48);
-static_assert(offsetof(SunShadowParameters, gCascadeScale1) == 64);
-static_assert(offsetof(SunShadowParameters, gCascadeOffset1) == 80);
-static_assert(offsetof(SunShadowParameters, gCascadeScale2) == 96);
-static_assert(offsetof(SunShadowParameters, gCascadeOffset2) == 112);
-static_assert(offsetof(SunShadowParameters, gCascadeScale3) == 128);
-static_assert(offsetof(SunShadowParameters, gCascadeOffset3) == 144);
-static_assert(offsetof(SunShadowParameters, gCascadeFar) == 160);
-static_assert(offsetof(SunShadowParameters, gCascadeSize) == 176);
-static_assert(offsetof(SunShadowParameters, gDisc) == 192);
-static_assert(offsetof(SunShadowParameters, gFrameIndex) == 204);
-static_assert(offsetof(SunShadowParameters, gBias) == 208);
-static_assert(offsetof(SunShadowParameters, gSubsetCount) == 220);
-namespace bindings::sun_shadow {
-inline constexpr uint32_t SunShadowParameters = 0;
-inline constexpr uint32_t gInCoarseDepth = 1;
-inline constexpr uint32_t gInShadowMap = 2;
-inline constexpr uint32_t gInOcclusion = 3;
-inline constexpr uint32_t gOutShadow = 16;
-inline constexpr uint32_t gInCoarseDepth_sampler = 33;
-inline constexpr uint32_t gInShadowMap_sampler = 34;
-inline constexpr uint32_t gInOcclusion_sampler = 35;
 }
 
 // temporal_aa: Temporal reprojection anti-aliasing
@@ -360,14 +360,14 @@ inline constexpr PackModule object_velocity_modules[] = {
      "", ""},
 };
 inline constexpr Stage depth_downsample_stages[] = {Stage::fragment, Stage::compute};
-inline constexpr std::string_view depth_downsample_RATIO_values[] = {"2", "4"};
+inline constexpr std::string_view depth_downsample_RATIO_values[] = {"1", "2", "4"};
 inline constexpr std::string_view depth_downsample_CHECKERBOARD_values[] = {"off", "on"};
 inline constexpr std::string_view depth_downsample_DEPTH_LINEAR_values[] = {"off", "on"};
 inline constexpr std::string_view depth_downsample_DEPTH_REVERSED_values[] = {"off", "on"};
 inline constexpr std::string_view depth_downsample_ORTHOGRAPHIC_values[] = {"off", "on"};
 inline constexpr SwitchInfo depth_downsample_switches[] = {
-    {"RATIO", depth_downsample_RATIO_values, 0, "",
-     "texels of the full image per coarse texel, along an axis", {}},
+    {"RATIO", depth_downsample_RATIO_values, 1, "",
+     "texels of the full image per coarse texel, along an axis; 1 makes linear depth of device depth", {}},
     {"CHECKERBOARD", depth_downsample_CHECKERBOARD_values, 0, "both sides of an edge are wanted",
      "every other texel shows the farthest instead of the closest", {}},
     {"DEPTH_LINEAR", depth_downsample_DEPTH_LINEAR_values, 0, "the engine hands over linear view depth instead of device depth",
@@ -395,6 +395,10 @@ inline constexpr PackModule depth_downsample_modules[] = {
     {"depth_downsample", Stage::fragment,
      "", ""},
     {"depth_downsample", Stage::compute,
+     "", ""},
+    {"depth_downsample--ratio-1", Stage::fragment,
+     "", ""},
+    {"depth_downsample--ratio-1", Stage::compute,
      "", ""},
     {"depth_downsample--ratio-4", Stage::fragment,
      "", ""},
@@ -485,6 +489,105 @@ inline constexpr PackModule ambient_occlusion_modules[] = {
      "", ""},
     {"ambient_occlusion--orthographic-on", Stage::compute,
      "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+};
+inline constexpr Stage sun_shadow_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view sun_shadow_SAMPLES_values[] = {"1", "2", "4", "8", "12", "16", "32"};
+inline constexpr std::string_view sun_shadow_CASCADES_values[] = {"1", "2", "3", "4"};
+inline constexpr std::string_view sun_shadow_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view sun_shadow_ORTHOGRAPHIC_values[] = {"off", "on"};
+inline constexpr std::string_view sun_shadow_SHADOW_REVERSED_values[] = {"off", "on"};
+inline constexpr SwitchInfo sun_shadow_switches[] = {
+    {"SAMPLES", sun_shadow_SAMPLES_values, 2, "",
+     "shadow texels a pixel and frame, one read each", {}},
+    {"CASCADES", sun_shadow_CASCADES_values, 2, "",
+     "columns of the shadow map", {}},
+    {"VALUES", sun_shadow_VALUES_values, 0, "occlusion and shadow share a channel",
+     "visibility alone, or packed with gInOcclusion, in either order", {}},
+    {"ORTHOGRAPHIC", sun_shadow_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
+     "rays are parallel", {}},
+    {"SHADOW_REVERSED", sun_shadow_SHADOW_REVERSED_values, 0, "depth of the shadow map is reversed",
+     "what is nearer to the sun has the larger depth", {}},
+};
+inline constexpr BindingInfo sun_shadow_bindings[] = {
+    {"SunShadowParameters", 0, BindingKind::uniformBuffer},
+    {"gInCoarseDepth", 1, BindingKind::sampledImage},
+    {"gInShadowMap", 2, BindingKind::sampledImage},
+    {"gInOcclusion", 3, BindingKind::sampledImage},
+    {"gOutShadow", 16, BindingKind::storageImage},
+    {"gInCoarseDepth_sampler", 33, BindingKind::pointSampler},
+    {"gInShadowMap_sampler", 34, BindingKind::pointSampler},
+    {"gInOcclusion_sampler", 35, BindingKind::pointSampler},
+};
+inline constexpr Condition sun_shadow_gInOcclusion_when[] = {{"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
+inline constexpr ImageInfo sun_shadow_inputs[] = {
+    {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
+     ""},
+    {"gInShadowMap", "depth from the sun [0,1], cascades side by side", "r32f", 0.000000f, "", {},
+     ""},
+    {"gInOcclusion", "visibility [0,1]; linear depth, metres", "rg16f", 0.500000f, "", sun_shadow_gInOcclusion_when,
+     ""},
+};
+inline constexpr ImageInfo sun_shadow_outputs[] = {
+    {"gOutShadow", "visibility [0,1], or packed pair; linear depth, metres", "rg16f", 0.500000f, "", {},
+     ""},
+};
+inline constexpr PackModule sun_shadow_modules[] = {
+    {"sun_shadow", Stage::fragment,
+     "", ""},
+    {"sun_shadow", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--samples-1", Stage::fragment,
+     "", ""},
+    {"sun_shadow--samples-1", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--samples-2", Stage::fragment,
+     "", ""},
+    {"sun_shadow--samples-2", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--samples-8", Stage::fragment,
+     "", ""},
+    {"sun_shadow--samples-8", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--samples-12", Stage::fragment,
+     "", ""},
+    {"sun_shadow--samples-12", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--samples-16", Stage::fragment,
+     "", ""},
+    {"sun_shadow--samples-16", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--samples-32", Stage::fragment,
+     "", ""},
+    {"sun_shadow--samples-32", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--cascades-1", Stage::fragment,
+     "", ""},
+    {"sun_shadow--cascades-1", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--cascades-2", Stage::fragment,
+     "", ""},
+    {"sun_shadow--cascades-2", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--cascades-4", Stage::fragment,
+     "", ""},
+    {"sun_shadow--cascades-4", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--values-occlusion_in_integer", Stage::fragment,
+     "", ""},
+    {"sun_shadow--values-occlusion_in_integer", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--values-shadow_in_integer", Stage::fragment,
+     "", ""},
+    {"sun_shadow--values-shadow_in_integer", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--orthographic-on", Stage::fragment,
+     "", ""},
+    {"sun_shadow--orthographic-on", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--shadow_reversed-on", Stage::fragment,
+     "", ""},
+    {"sun_shadow--shadow_reversed-on", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
 };
 inline constexpr Stage reprojection_cache_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view reprojection_cache_HISTORY_values[] = {"camera", "motion", "still", "none"};
@@ -696,105 +799,6 @@ inline constexpr PackModule bilateral_upsample_modules[] = {
     {"bilateral_upsample--orthographic-on", Stage::compute,
      "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
 };
-inline constexpr Stage sun_shadow_stages[] = {Stage::fragment, Stage::compute};
-inline constexpr std::string_view sun_shadow_SAMPLES_values[] = {"1", "2", "4", "8", "12", "16", "32"};
-inline constexpr std::string_view sun_shadow_CASCADES_values[] = {"1", "2", "3", "4"};
-inline constexpr std::string_view sun_shadow_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
-inline constexpr std::string_view sun_shadow_ORTHOGRAPHIC_values[] = {"off", "on"};
-inline constexpr std::string_view sun_shadow_SHADOW_REVERSED_values[] = {"off", "on"};
-inline constexpr SwitchInfo sun_shadow_switches[] = {
-    {"SAMPLES", sun_shadow_SAMPLES_values, 2, "",
-     "shadow texels a pixel and frame, one read each", {}},
-    {"CASCADES", sun_shadow_CASCADES_values, 2, "",
-     "columns of the shadow map", {}},
-    {"VALUES", sun_shadow_VALUES_values, 0, "occlusion and shadow share a channel",
-     "visibility alone, or packed with gInOcclusion, in either order", {}},
-    {"ORTHOGRAPHIC", sun_shadow_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
-     "rays are parallel", {}},
-    {"SHADOW_REVERSED", sun_shadow_SHADOW_REVERSED_values, 0, "depth of the shadow map is reversed",
-     "what is nearer to the sun has the larger depth", {}},
-};
-inline constexpr BindingInfo sun_shadow_bindings[] = {
-    {"SunShadowParameters", 0, BindingKind::uniformBuffer},
-    {"gInCoarseDepth", 1, BindingKind::sampledImage},
-    {"gInShadowMap", 2, BindingKind::sampledImage},
-    {"gInOcclusion", 3, BindingKind::sampledImage},
-    {"gOutShadow", 16, BindingKind::storageImage},
-    {"gInCoarseDepth_sampler", 33, BindingKind::pointSampler},
-    {"gInShadowMap_sampler", 34, BindingKind::pointSampler},
-    {"gInOcclusion_sampler", 35, BindingKind::pointSampler},
-};
-inline constexpr Condition sun_shadow_gInOcclusion_when[] = {{"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
-inline constexpr ImageInfo sun_shadow_inputs[] = {
-    {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
-     ""},
-    {"gInShadowMap", "depth from the sun [0,1], cascades side by side", "r32f", 0.000000f, "", {},
-     ""},
-    {"gInOcclusion", "visibility [0,1]; linear depth, metres", "rg16f", 0.500000f, "", sun_shadow_gInOcclusion_when,
-     ""},
-};
-inline constexpr ImageInfo sun_shadow_outputs[] = {
-    {"gOutShadow", "visibility [0,1], or packed pair; linear depth, metres", "rg16f", 0.500000f, "", {},
-     ""},
-};
-inline constexpr PackModule sun_shadow_modules[] = {
-    {"sun_shadow", Stage::fragment,
-     "", ""},
-    {"sun_shadow", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--samples-1", Stage::fragment,
-     "", ""},
-    {"sun_shadow--samples-1", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--samples-2", Stage::fragment,
-     "", ""},
-    {"sun_shadow--samples-2", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--samples-8", Stage::fragment,
-     "", ""},
-    {"sun_shadow--samples-8", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--samples-12", Stage::fragment,
-     "", ""},
-    {"sun_shadow--samples-12", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--samples-16", Stage::fragment,
-     "", ""},
-    {"sun_shadow--samples-16", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--samples-32", Stage::fragment,
-     "", ""},
-    {"sun_shadow--samples-32", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--cascades-1", Stage::fragment,
-     "", ""},
-    {"sun_shadow--cascades-1", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--cascades-2", Stage::fragment,
-     "", ""},
-    {"sun_shadow--cascades-2", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--cascades-4", Stage::fragment,
-     "", ""},
-    {"sun_shadow--cascades-4", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--values-occlusion_in_integer", Stage::fragment,
-     "", ""},
-    {"sun_shadow--values-occlusion_in_integer", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--values-shadow_in_integer", Stage::fragment,
-     "", ""},
-    {"sun_shadow--values-shadow_in_integer", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--orthographic-on", Stage::fragment,
-     "", ""},
-    {"sun_shadow--orthographic-on", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-    {"sun_shadow--shadow_reversed-on", Stage::fragment,
-     "", ""},
-    {"sun_shadow--shadow_reversed-on", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
-};
 inline constexpr Stage temporal_aa_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view temporal_aa_MOTION_values[] = {"off", "on"};
 inline constexpr std::string_view temporal_aa_CLOSEST_FRAGMENT_values[] = {"off", "on"};
@@ -980,6 +984,10 @@ inline constexpr PassInfo passes[] = {
      "Drobot 7.3, Screen-Space Ambient Occlusion", ambient_occlusion_stages, true,
      {16, 16, 1}, {1, 1}, 64, ambient_occlusion_switches,
      ambient_occlusion_bindings, ambient_occlusion_inputs, ambient_occlusion_outputs},
+    {"sun_shadow", "Soft shadows of the sun from a cascaded shadow map with few samples a frame",
+     "Drobot 7.3, Soft Shadows; Shadows and Ambient Occlusion Combined", sun_shadow_stages, true,
+     {16, 16, 1}, {1, 1}, 224, sun_shadow_switches,
+     sun_shadow_bindings, sun_shadow_inputs, sun_shadow_outputs},
     {"reprojection_cache", "A fresh value accumulated into its reprojected history",
      "Drobot 7.2, Reprojection Caching, Listing 7.2", reprojection_cache_stages, true,
      {16, 16, 1}, {1, 1}, 160, reprojection_cache_switches,
@@ -992,10 +1000,6 @@ inline constexpr PassInfo passes[] = {
      "Drobot 7.2, Bilateral Upsampling, Listing 7.1", bilateral_upsample_stages, true,
      {16, 16, 1}, {1, 1}, 48, bilateral_upsample_switches,
      bilateral_upsample_bindings, bilateral_upsample_inputs, bilateral_upsample_outputs},
-    {"sun_shadow", "Soft shadows of the sun from a cascaded shadow map with few samples a frame",
-     "Drobot 7.3, Soft Shadows; Shadows and Ambient Occlusion Combined", sun_shadow_stages, true,
-     {16, 16, 1}, {1, 1}, 224, sun_shadow_switches,
-     sun_shadow_bindings, sun_shadow_inputs, sun_shadow_outputs},
     {"temporal_aa", "Temporal reprojection anti-aliasing",
      "INSIDE, I1 to I9", temporal_aa_stages, true,
      {32, 4, 1}, {1, 6}, 64, temporal_aa_switches,
@@ -1018,10 +1022,10 @@ inline std::span<const PackModule> packModules([[maybe_unused]] std::string_view
     if (pass == "object_velocity") return generated::object_velocity_modules;
     if (pass == "depth_downsample") return generated::depth_downsample_modules;
     if (pass == "ambient_occlusion") return generated::ambient_occlusion_modules;
+    if (pass == "sun_shadow") return generated::sun_shadow_modules;
     if (pass == "reprojection_cache") return generated::reprojection_cache_modules;
     if (pass == "bilateral_filter") return generated::bilateral_filter_modules;
     if (pass == "bilateral_upsample") return generated::bilateral_upsample_modules;
-    if (pass == "sun_shadow") return generated::sun_shadow_modules;
     if (pass == "temporal_aa") return generated::temporal_aa_modules;
     return {};
 }

@@ -5,6 +5,7 @@
 #include "reprise/camera.hpp"
 #include "reprise/pass.hpp"
 #include "reprise/plan.hpp"
+#include "reprise/sun_shadow.hpp"
 
 #include <optional>
 
@@ -47,6 +48,7 @@ struct CacheTuning {
     float maxSmoothing = 8.0f;             // of its neighbours' weight without history, 1 to 16
     float filterStep = 1.0f;               // texels between the filter's texels: 1 reaches four, 2 eight
     float normalContrast = 8.0f;           // of upsampling by normals: exponent of the cosine
+    SunShadowTuning shadow;
 };
 
 struct FrameInput {
@@ -55,6 +57,9 @@ struct FrameInput {
     glm::dvec2 jitterPx{0.0};       // the jitter that colour and depth were rendered with
     ImageRef colour, depth;         // in SHADER_READ_ONLY_OPTIMAL; colour with antiAliasing
     std::optional<ImageRef> motion; // with needs.engineWritesMotion; SHADER_READ_ONLY_OPTIMAL
+    // With needs.sunShadows: cascades side by side, of any extent, R32F or D32F; CacheSettings::cascades of them.
+    std::optional<ImageRef> shadowMap;
+    std::span<const ShadowCascade> cascades;
     // With needs.cachedValue: RG16F of ceil(extent / ratio) texels, the value and its linear depth in metres.
     std::optional<ImageRef> fresh;
     std::optional<ImageRef> depthAttachment; // with objectsMove: tested, not written; DEPTH_READ_ONLY_OPTIMAL
@@ -68,8 +73,8 @@ struct FrameOutput {
     // In SHADER_READ_ONLY_OPTIMAL; valid until the next record(); can be copied from. Colour without
     // anti-aliasing has no image.
     ImageRef colour;
-    // RG16F at full resolution: visibility by occluders near by (or the value) and 0; the sun's and 0; or
-    // both.
+    // At full resolution: in red visibility by occluders near by, or the sun's, or the value; of both, the
+    // sun's in green. RG16F, or at a ratio of 1 as the last step writes it.
     std::optional<ImageRef> lighting;
     std::optional<ImageRef> motion; // likewise; none when nothing moves
     bool historyWasReset = false;

@@ -21,13 +21,15 @@ struct SceneNeeds {
     // What the framework caches (Drobot 7.2 and 7.3); occlusion and shadows share one cache.
     bool ambientOcclusion = false;
     bool sunShadows = false;
-    bool cachedValue = false; // a value of the engine's, FrameInput::fresh, without the two above
+    bool reversedShadows = false; // depth of the shadow map is reversed
+    bool cachedValue = false;     // a value of the engine's, FrameInput::fresh, without the two above
 };
 
 // The framework's steps, for whatever the needs ask it to cache.
 struct CacheSettings {
-    uint32_t ratio = 2;          // step 1: pixels of the frame per coarse texel along an axis, 2 or 4
+    uint32_t ratio = 2;          // step 1: pixels of the frame per coarse texel along an axis, 1, 2 or 4
     uint32_t samples = 4;        // step 3: a texel and frame; 1, 2, 4, 8, 12, 16 or 32
+    uint32_t cascades = 3;       // columns of the shadow map, 1 to 4
     bool history = true;         // steps 4, 5 and 8; false: every frame stands alone
     bool detectsChanges = true;  // history gives way where the values of this frame do not bear it out
     bool filter = true;          // step 6
