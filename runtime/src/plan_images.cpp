@@ -35,7 +35,8 @@ int add(const Layout& layout, const ImageInfo& info, std::string name, std::stri
     PlannedImage image;
     image.name = std::move(name);
     image.format = format;
-    image.extent = {scaled(layout.extent.width, info.scale), scaled(layout.extent.height, info.scale)};
+    image.extent = {scaled(layout.extent.width, info.scale * info.widthScale),
+                    scaled(layout.extent.height, info.scale)};
     image.firstPass = image.lastPass = pass;
     image.bytes = uint64_t(texelBytes(format)) * image.extent.width * image.extent.height;
     layout.plan.images.push_back(std::move(image));

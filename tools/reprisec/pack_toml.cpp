@@ -162,12 +162,15 @@ ImageInfo Reader::readImage(const toml::table& table, const PassInfo& pass) {
     image.name = text(table, "name");
     image.space = textOr(table, "space");
     image.format = textOr(table, "format");
-    image.scale = 1.0f;
-    if (const toml::node* scale = table.get("scale")) {
+    const auto scaleOr1 = [&](const char* key) {
+        const toml::node* scale = table.get(key);
+        if (!scale) return 1.0f;
         const auto value = scale->value<double>();
         if (!value || *value <= 0.0) fail(*scale, "the scale must be a number above 0");
-        image.scale = static_cast<float>(*value);
-    }
+        return static_cast<float>(*value);
+    };
+    image.scale = scaleOr1("scale");
+    image.widthScale = scaleOr1("width_scale");
     image.history = textOr(table, "history");
     image.sameAs = textOr(table, "same_as");
     image.when = conditions(table, "when", pass);
@@ -185,8 +188,8 @@ void Reader::addBinding(const toml::table& table, std::vector<BindingInfo>& bind
 
 void Reader::readInput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
                        std::vector<BindingInfo>& bindings) {
-    allow(table,
-          {"name", "binding", "filter", "kind", "space", "format", "scale", "when", "history", "same_as"});
+    allow(table, {"name", "binding", "filter", "kind", "space", "format", "scale", "width_scale", "when",
+                  "history", "same_as"});
     const ImageInfo image = readImage(table, pass);
     images.push_back(image);
     const uint32_t binding = number(need(table, "binding"));
@@ -208,7 +211,7 @@ void Reader::readInput(const toml::table& table, const PassInfo& pass, std::vect
 
 void Reader::readOutput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
                         std::vector<BindingInfo>& bindings) {
-    allow(table, {"name", "binding", "space", "format", "scale", "when"});
+    allow(table, {"name", "binding", "space", "format", "scale", "width_scale", "when"});
     const ImageInfo image = readImage(table, pass);
     if (image.format.empty()) fail(table, "an output needs a format; add it");
     images.push_back(image);
