@@ -5,9 +5,11 @@
 #include "bilateral_upsample_case.hpp"
 #include "camera_case.hpp"
 #include "depth_downsample_case.hpp"
+#include "depth_hierarchy_case.hpp"
 #include "fullscreen_case.hpp"
 #include "object_case.hpp"
 #include "reprojection_cache_case.hpp"
+#include "scalable_obscurance_case.hpp"
 #include "temporal_aa_case.hpp"
 
 #include <algorithm>
@@ -60,6 +62,26 @@ Comparison checkBilateralUpsample(Stage stage) {
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
+Comparison checkDepthHierarchy(Stage stage) {
+    const Variant variant = variantOf(pack(), "depth_hierarchy");
+    Pass pass(variant, stage);
+    const DepthHierarchyCase frame = depthHierarchyCase(variant, 33, 17, 58);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkScalableObscurance(Stage stage) {
+    const Variant variant = variantOf(pack(), "scalable_obscurance");
+    Pass pass(variant, stage);
+    const ScalableObscuranceCase frame = scalableObscuranceCase(variant, Surfaces::corner, 33, 17, 59);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkObscuranceFilter(Stage stage) {
+    Pass pass(variantOf(pack(), "obscurance_filter"), stage);
+    const ObscuranceFilterCase frame = obscuranceFilterCase(33, 17, {1, 0}, 60);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
 // Its two stages are executed together.
 Comparison checkObjectVelocity(Stage) {
     const ObjectCase object;
@@ -88,6 +110,9 @@ constexpr PassCheck checks[] = {
     {"reprojection_cache", checkReprojectionCache},
     {"bilateral_filter", checkBilateralFilter},
     {"bilateral_upsample", checkBilateralUpsample},
+    {"depth_hierarchy", checkDepthHierarchy},
+    {"scalable_obscurance", checkScalableObscurance},
+    {"obscurance_filter", checkObscuranceFilter},
     {"temporal_aa", checkTemporalAa},
 };
 

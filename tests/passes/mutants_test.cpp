@@ -6,8 +6,10 @@
 #include "bilateral_upsample_case.hpp"
 #include "camera_case.hpp"
 #include "changed_pack.hpp"
+#include "depth_hierarchy_case.hpp"
 #include "object_case.hpp"
 #include "reprojection_cache_case.hpp"
+#include "scalable_obscurance_case.hpp"
 #include "temporal_aa_case.hpp"
 
 #include <limits>
@@ -389,7 +391,11 @@ const std::vector<FrameworkMutant>& frameworkMutants() {
     constexpr std::string_view down = "passes/depth_downsample.hlsl",
                                occlusion = "passes/ambient_occlusion.hlsl",
                                cache = "passes/reprojection_cache.hlsl",
-                               filter = "passes/bilateral_filter.hlsl", up = "passes/bilateral_upsample.hlsl";
+                               filter = "passes/bilateral_filter.hlsl", up = "passes/bilateral_upsample.hlsl",
+                               hierarchy = "passes/depth_hierarchy.hlsl",
+                               obscurance = "passes/scalable_obscurance.hlsl",
+                               blur = "passes/obscurance_filter.hlsl",
+                               digits = "reprise/occlusion_depth_packing.hlsli";
     static const std::vector<FrameworkMutant> mutants = {
         {"depth_downsample",
          {"reversedDepthTakesTheFarthest",
@@ -504,6 +510,118 @@ const std::vector<FrameworkMutant>& frameworkMutants() {
           "SAMPLE(gInCoarseNormal, footprint.leftUp)",
           fragment,
           {{"NORMAL_WEIGHTS", "on"}}}},
+        {"depth_hierarchy",
+         {"gridNotRotated", hierarchy, "frac(0.5 * texel.yx)", "frac(0.5 * texel.xy)", fragment, {}}},
+        {"depth_hierarchy",
+         {"levelsBeginOneRowLate", hierarchy, "fromBelow <= begins.x", "fromBelow < begins.x", compute, {}}},
+        {"depth_hierarchy",
+         {"brokenDepthKept",
+          hierarchy,
+          "depth > 0.0 && depth < min(",
+          "depth < min(",
+          fragment,
+          {{"DEPTH_LINEAR", "on"}}}},
+        {"scalable_obscurance",
+         {"coarseDepthAtThePlaceAskedFor",
+          obscurance,
+          "pxToUv(tap.placePx, gOutputSize.zw), depth",
+          "pxToUv(px, gOutputSize.zw), depth",
+          fragment,
+          {}}},
+        {"scalable_obscurance",
+         {"levelsReadAtTheWrongPlace",
+          obscurance,
+          "gOutputSize.y - floor(2.0 * share * gOutputSize.y)",
+          "gOutputSize.y - 2.0 * share * gOutputSize.y",
+          compute,
+          {}}},
+        {"scalable_obscurance",
+         {"rotationStandsStill", obscurance, "+ GOLDEN_TURN * rotation)", ")", fragment, {}}},
+        {"scalable_obscurance", {"radiiStandStill", obscurance, "(rotation + 0.5) /", "0.5 /", compute, {}}},
+        {"scalable_obscurance",
+         {"spiralStepOfOneRotation",
+          obscurance,
+          "frac(GOLDEN_TURN * rotations)",
+          "frac(GOLDEN_TURN)",
+          fragment,
+          {}}},
+        {"scalable_obscurance",
+         {"pixelsShareOneTurn",
+          obscurance,
+          "frac(numberOfPixel(floor(positionPx)) + G",
+          "frac(G",
+          compute,
+          {}}},
+        {"scalable_obscurance",
+         {"tapsBeyondTheImageCount",
+          obscurance,
+          "isInsideUv(px * gOutputSize.zw) ? float2",
+          "true ? float2",
+          fragment,
+          {}}},
+        {"scalable_obscurance",
+         {"normalOverTheFartherSide",
+          obscurance,
+          "differenceBefore < differenceAfter",
+          "differenceBefore >= differenceAfter",
+          compute,
+          {}}},
+        {"scalable_obscurance",
+         {"obscuranceMotionAdded",
+          obscurance,
+          "gInVelocity, uv).rg * gMotionToUv",
+          "gInVelocity, uv).rg * -gMotionToUv",
+          fragment,
+          {}}},
+        {"scalable_obscurance",
+         {"cameraStandsStillInDepth",
+          obscurance,
+          "dot(gViewToPreviousDepth, float4(positionVS, 1.0))",
+          "positionVS.z",
+          compute,
+          {}}},
+        {"scalable_obscurance",
+         {"weightFallsInALine", obscurance, "room * room * (3.0 - 2.0 * room)", "room", fragment, {}}},
+        {"scalable_obscurance",
+         {"rejectedAtOnce", obscurance, "threshold, 2.0 / threshold)", "threshold, 1e9)", compute, {}}},
+        {"scalable_obscurance",
+         {"framesNotCounted",
+          obscurance,
+          "history.convergence * confidence;",
+          "15.0 * confidence;",
+          fragment,
+          {}}},
+        {"scalable_obscurance",
+         {"writtenToTheNearestStep",
+          obscurance,
+          "gFarDepth, noiseOfFrame(positionPx))",
+          "gFarDepth, 0.5)",
+          compute,
+          {}}},
+        {"scalable_obscurance",
+         {"digitsSwapped",
+          digits,
+          "packKey16(linearKeyFromDepth(data.linearDepth, 0.0, farM));\n    float4 digits",
+          "packKey16(linearKeyFromDepth(data.linearDepth, 0.0, farM)).yx;\n    float4 digits",
+          fragment,
+          {{"TEMPORAL", "off"}}}},
+        {"obscurance_filter",
+         {"oneSideAlone", blur, "uv - float(i) * step", "uv + float(i) * step", fragment, {}}},
+        {"obscurance_filter", {"depthHasNoSay", blur, "max(1.0 - apart, 0.0)", "1.0", compute, {}}},
+        {"obscurance_filter",
+         {"depthFiltered",
+          blur,
+          "centre.occlusion = sum.x / sum.y;",
+          "centre.occlusion = sum.x / sum.y; centre.linearDepth *= 0.999;",
+          fragment,
+          {}}},
+        {"obscurance_filter",
+         {"boxOfNineTaps",
+          blur,
+          "0.8824969, 0.6065307, 0.3246525, 0.1353353",
+          "1.0, 1.0, 1.0, 1.0",
+          compute,
+          {}}},
     };
     return mutants;
 }
@@ -519,6 +637,16 @@ bool frameworkCatches(const Variant& right, Pass& pass) {
     if (name == "ambient_occlusion")
         return fails(ambientOcclusionCase(right, Surfaces::corner, width, height, 34));
     if (name == "reprojection_cache") return fails(reprojectionCacheCase(right, width, height, 34));
+    if (name == "depth_hierarchy") {
+        auto frame = depthHierarchyCase(right, width, height, 34);
+        frame.depths.depth.at(12, 9, 0) = -3.0f;
+        return fails(frame);
+    }
+    // As in its tests, narrow bounds and depths that differ from texel to texel.
+    if (name == "scalable_obscurance")
+        return fails(scalableObscuranceCase(right, Surfaces::corner, 64, 47, 34)) ||
+               fails(scalableObscuranceCase(right, Surfaces::random, width, height, 34));
+    if (name == "obscurance_filter") return fails(obscuranceFilterCase(width, height, {1, 0}, 34));
     if (name == "bilateral_filter") return fails(bilateralFilterCase(right, width, height, {1, 0}, 34));
     return fails(bilateralUpsampleCase(right, width, height, 34));
 }
@@ -534,6 +662,7 @@ TEST_P(FrameworkMutants, areCaught) {
     const Variant right = variantOf(pack(), GetParam().pass, mutant.switches);
     const VkFormat format = right.pass->outputs[0].format == "rgba16f" ? rgba32f
                             : right.pass->outputs[0].format == "rg16f" ? rg32f
+                            : right.pass->outputs[0].format == "rgba8" ? rgba8
                                                                        : r32f;
     Pass unchanged(right, mutant.stage, {format});
     EXPECT_FALSE(frameworkCatches(right, unchanged)) << "the comparison fails without the mistake too";
