@@ -4,6 +4,7 @@
 // Bound of a pixel: how far roundings may move its taps, its normal and its place in the history, what that
 // changes (scalable_obscurance.hpp in tests/oracle/), and where it decides a step of the value, that step of
 // 1/4080.
+#include "changed_pack.hpp"
 #include "scalable_obscurance_case.hpp"
 
 #include <cmath>
@@ -122,6 +123,21 @@ TEST_P(ScalableObscurance, invalidHistoryGivesTheCurrentFrameExactly) {
     }
 }
 
+// The table says that the hierarchy is wider than the frame; one that is not is refused.
+TEST_P(ScalableObscurance, aHierarchyOfTheFramesExtentIsRefused) {
+    const Variant variant = variantOf(pack(), "scalable_obscurance");
+    Pass pass(variant, GetParam());
+    auto frame = scalableObscuranceCase(variant, Surfaces::corner, 33, 17, 140);
+    frame.hierarchy = frame.depth;
+    try {
+        run(pass, frame);
+        ADD_FAILURE() << "it was taken";
+    } catch (const std::exception& refused) {
+        EXPECT_NE(std::string(refused.what()).find("gInDepthHierarchy is 33x17"), std::string::npos)
+            << refused.what();
+    }
+}
+
 // A tilted plane that fills the view, 5 m away.
 Pixels tiltedPlane(const ScalableObscuranceCase& frame, int size) {
     const glm::dvec4 ray = frame.pass.viewRay;
@@ -214,9 +230,9 @@ const Values& converged(Stage stage) {
 // The history, from frame to frame, through RGBA8.
 class Accumulation {
 public:
-    Accumulation(Stage stage, std::string_view samples)
-        : variant_(variantOf(pack(), "scalable_obscurance", {{"SAMPLES", samples}, {"MOTION", "off"}})),
-          pass_(variant_, stage), frame_(standingView(variant_)) {}
+    Accumulation(Stage stage, std::string_view samples, const reprisec::Pack& from = pack())
+        : variant_(variantOf(from, "scalable_obscurance", {{"SAMPLES", samples}, {"MOTION", "off"}})),
+          pass_(variant_, stage, {}, from), frame_(standingView(variant_)) {}
 
     ScalableObscuranceCase& frame() { return frame_; }
     Values next() {
@@ -261,42 +277,63 @@ TEST_P(ScalableObscurance, threeRotationsErrAsThreeTimesTheSamples) {
     }
 }
 
-// Feedback in few bits: a standing history goes to the mean of its rotations, and stays there. 8 bits stop up
-// to five levels of 1/255 short of it, and 12 bits without noise up to a third of a level: each pixel's mean
-// over 96 frames is nearer than a quarter, and on average over the image than a sixteenth, a step of the 12
-// bits.
-TEST_P(ScalableObscurance, historyOfEightBitsConvergesToTheMean) {
-    Values mean(side * side, 0.0);
+// Mean over 96 frames of a standing history that was black with a full count, against that of its rotations:
+// of the worst pixel, and on average over the image.
+struct OffTheMean {
+    double worst = 0.0, average = 0.0;
+};
+
+OffTheMean offTheMean(Stage stage, const reprisec::Pack& from = pack()) {
+    Values mean(side * side, 0.0), sum = mean;
     for (int f = 0; f < 3; ++f) {
-        const Values each = single(GetParam(), "7", 3, f);
+        const Values each = single(stage, "7", 3, f);
         for (size_t i = 0; i < each.size(); ++i)
             mean[i] += each[i] / 3.0;
     }
-    Accumulation accumulation(GetParam(), "7");
-    accumulation.frame().pass.frame = 0;
-    // From a history that is far off: black, of many frames.
-    accumulation.frame().pass.historyValid = 1.0;
-    const auto& first = accumulation.frame();
-    accumulation.frame().history = makePixels(rgba8, side, side, [&](int x, int y) {
+    Accumulation accumulation(stage, "7", from);
+    auto& first = accumulation.frame();
+    first.pass.frame = 0;
+    first.pass.historyValid = 1.0;
+    first.history = makePixels(rgba8, side, side, [&](int x, int y) {
         const glm::dvec4 digits =
             oracle::packedObscurance({0.0, double{first.depth.at(x, y, 0)}, 15.0}, first.pass.farM);
         return Texel{static_cast<float>(digits.x), static_cast<float>(digits.y), static_cast<float>(digits.z),
                      static_cast<float>(digits.w)};
     });
-    Values sum(side * side, 0.0);
     for (int i = 0; i < 192; ++i) {
         const Values each = accumulation.next();
         for (size_t p = 0; i >= 96 && p < each.size(); ++p)
             sum[p] += each[p] / 96.0;
     }
-    double worst = 0.0, bias = 0.0;
+    OffTheMean off;
     for (size_t p = 0; p < sum.size(); ++p) {
-        worst = std::max(worst, std::abs(sum[p] - mean[p]));
-        bias += (sum[p] - mean[p]) / static_cast<double>(sum.size());
+        off.worst = std::max(off.worst, std::abs(sum[p] - mean[p]));
+        off.average += (sum[p] - mean[p]) / static_cast<double>(sum.size());
     }
-    std::printf("mean of the history against that of the frames: worst %.6f, on average %.7f\n", worst, bias);
-    EXPECT_LT(worst, 0.25 / 255.0);
-    EXPECT_LT(std::abs(bias), 1.0 / 4080.0);
+    return off;
+}
+
+// Feedback in few bits: 8 bits stop up to five levels of 1/255 short of the mean, and 12 bits without noise
+// up to a third of a level. Each pixel is nearer than a quarter, and the average than a sixteenth, a step of
+// the 12 bits.
+TEST_P(ScalableObscurance, historyOfEightBitChannelsConvergesToTheMean) {
+    const OffTheMean off = offTheMean(GetParam());
+    std::printf("mean of the history against that of the frames: worst %.6f, on average %.7f\n", off.worst,
+                off.average);
+    EXPECT_LT(off.worst, 0.25 / 255.0);
+    EXPECT_LT(std::abs(off.average), 1.0 / 4080.0);
+}
+
+// The control: as 8 bits come, to the nearest level.
+TEST_P(ScalableObscurance, historyOfEightBitsAloneStopsShortOfTheMean) {
+    const TextChange change{"reprise/occlusion_depth_packing.hlsli",
+                            "float sixteenths = step + 8.0 - 16.0 * level;", "float sixteenths = 8.0;"};
+    const ChangedPack coarse({&change, 1});
+    ASSERT_EQ(coarse.missing(), "");
+    const OffTheMean off = offTheMean(GetParam(), coarse.pack());
+    std::printf("8 bits alone: worst %.6f, on average %.7f\n", off.worst, off.average);
+    EXPECT_GT(off.worst, 3.0 / 255.0);
+    EXPECT_LT(off.average, -1.0 / 255.0); // from black it stops below
 }
 
 // Frames until what is left of the difference, over the pixels chosen, is at most a tenth.
