@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace passes {
 namespace {
@@ -136,6 +137,21 @@ TEST_P(ScalableObscurance, aHierarchyOfTheFramesExtentIsRefused) {
         EXPECT_NE(std::string(refused.what()).find("gInDepthHierarchy is 33x17"), std::string::npos)
             << refused.what();
     }
+}
+
+// Turns of neighbours leave no wide gap: those of any 4x4 pixels at most a tenth of a turn, and those of the
+// blur's 9x9 a thirtieth. As many random ones leave about ln(n) / n: 0.17 and 0.054.
+TEST(ScalableObscuranceTurns, ofAnyNeighboursAreSpreadEvenly) {
+    for (const auto& [side, most] : {std::pair(4, 0.1), std::pair(9, 1.0 / 30.0)})
+        for (const glm::ivec2 corner : {glm::ivec2(0, 0), glm::ivec2(17, 4), glm::ivec2(1276, 711)}) {
+            std::set<double> turns;
+            for (int i = 0; i < side * side; ++i)
+                turns.insert(oracle::numberOfPixel(corner.x + i % side, corner.y + i / side));
+            double gap = *turns.begin() + 1.0 - *turns.rbegin();
+            for (auto next = std::next(turns.begin()); next != turns.end(); ++next)
+                gap = std::max(gap, *next - *std::prev(next));
+            EXPECT_LE(gap, most) << side;
+        }
 }
 
 // A tilted plane that fills the view, 5 m away.

@@ -31,6 +31,18 @@ TEST_F(SmallPack, mistakesInTheTableAreNamedWithTheirLine) {
     complains("schema = 1", "schema = 2", "pack.toml:3: this compiler reads schema 1");
     complains("binding = 1\n", "binding = \"1\"\n", "pack.toml:25: this must be a whole number");
     complains("name = \"small\"", "name = small", "pack.toml:2: ");
+    complains("binding = 16", "binding = 16\nwidth_scale = 0.0", "pack.toml:30: the scale must be a number");
+}
+
+TEST_F(SmallPack, widthHasAScaleOfItsOwn) {
+    std::string text = smallTable;
+    text.replace(text.find("binding = 16"), 12, "binding = 16\nscale = 0.5\nwidth_scale = 1.5");
+    writeText(folder / "pack.toml", text);
+    const auto pack = reprisec::Pack::load(folder / "pack.toml");
+    ASSERT_TRUE(pack) << pack.error().message;
+    EXPECT_EQ(pack->passes()[0].outputs[0].scale, 0.5f);
+    EXPECT_EQ(pack->passes()[0].outputs[0].widthScale, 1.5f);
+    EXPECT_EQ(pack->passes()[0].inputs[0].widthScale, 1.0f);
 }
 
 TEST_F(SmallPack, missingTableIsNamed) {
