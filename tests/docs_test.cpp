@@ -57,6 +57,9 @@ const reprisec::Pack& pack() {
 std::string pageOf(const PassInfo& pass) {
     if (pass.name == "temporal_aa" || pass.name == "sun_shadow")
         return readText("docs/" + std::string(pass.name) + ".md");
+    if (pass.name == "depth_hierarchy" || pass.name == "scalable_obscurance" ||
+        pass.name == "obscurance_filter")
+        return readText("docs/scalable_obscurance.md");
     return readText(pass.name.ends_with("_velocity") ? "docs/velocity.md" : "docs/ambient_occlusion.md");
 }
 

@@ -314,6 +314,22 @@ TEST(Plan, occlusionAndShadowsShareACache) {
     EXPECT_EQ(imageOf(shadows, "gInShadowMap")->extent.width, 0u) << "an extent of its own";
 }
 
+TEST(Plan, scalableObscuranceIsAPlanOfItsOwn) {
+    const CacheSettings cache{.occlusion = "scalable_obscurance", .samples = 7};
+    const FramePlan plan = planned(lighting({.objectsMove = false}), {.cache = cache});
+    EXPECT_EQ(passNames(plan), (Names{"camera_velocity", "depth_hierarchy", "scalable_obscurance",
+                                      "obscurance_filter", "obscurance_filter"}));
+    EXPECT_EQ(imageOf(plan, "gOutDepthHierarchy")->extent.width, 960u);
+    EXPECT_TRUE(imageOf(plan, "gOutObscurance")->history);
+    const FramePlan alone = planned(
+        lighting({.cameraMoves = false, .objectsMove = false}),
+        {.cache = {.occlusion = "scalable_obscurance", .samples = 7, .history = false, .filter = false}});
+    EXPECT_EQ(passNames(alone), (Names{"depth_hierarchy", "scalable_obscurance"}));
+    EXPECT_EQ(switchOf(alone, "scalable_obscurance", "TEMPORAL"), "off");
+    EXPECT_FALSE(tryPlan(lighting({.sunShadows = true}), {.cache = cache}));
+    EXPECT_FALSE(tryPlan(lighting(), {.cache = {.occlusion = "sun_shadow"}}));
+}
+
 // At a ratio of 1 the last step's image is the lighting.
 TEST(Plan, fullResolutionIsNotUpsampled) {
     const FramePlan plan =

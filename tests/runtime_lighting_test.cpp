@@ -196,6 +196,33 @@ TEST_P(LightingTest, brokenDepthIsGoneInTheNextFrame) {
     }
 }
 
+// The corner once more, by the pass with a hierarchy of its own: darker than the wall beside it, and every
+// size and step records.
+TEST_P(LightingTest, scalableObscuranceIsRecorded) {
+    for (const Extent extent : {Extent{1, 1}, Extent{7, 5}, Extent{65, 64}})
+        for (int bits = 0; bits < 4; ++bits) {
+            SceneNeeds needs = with(still, &SceneNeeds::ambientOcclusion);
+            needs.linearDepth = true;
+            needs.cameraMoves = bits & 1;
+            auto recorder = makeRecorder(
+                info(needs, extent,
+                     {.occlusion = "scalable_obscurance", .samples = 7, .filter = (bits & 2) != 0}));
+            TestFrame frame(extent);
+            std::vector<float> depths;
+            for (uint32_t i = 0; i < extent.width * extent.height; ++i)
+                depths.push_back(static_cast<float>(
+                    1.2 / (1.0 + 0.9 * std::abs(2.0 * (i % extent.width + 0.5) / extent.width - 1.13))));
+            testGpu().uploadFloats(frame.depth, depths);
+            std::vector<float> lighting;
+            for (uint64_t n = 0; n < 6; ++n)
+                lighting = lightingOf(recorder, frame.input(n));
+            if (extent.width < 65) continue;
+            const size_t row = size_t(extent.width) * 32;
+            EXPECT_LT(lighting[4 * (row + 36)], 0.9f);
+            EXPECT_GT(lighting[4 * (row + 62)], lighting[4 * (row + 36)] + 0.05f);
+        }
+}
+
 // A shadow map of one cascade whose left half stands in the sun: the left half of a wall that the camera
 // faces is lit, the right one is not, alone and packed with occlusion.
 TEST_P(LightingTest, shadowsOfTheSunAreCachedAloneAndWithOcclusion) {

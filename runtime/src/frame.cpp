@@ -427,7 +427,7 @@ FrameOutput outputOf(const Recorder& recorder, const FrameInput& input, std::str
     output.motion = owned(velocityImage);
     if (!output.motion) output.motion = input.motion;
     if (cachesAnything(recorder.needs))
-        for (const std::string& name : lightingImages())
+        for (const std::string& name : lightingImages(recorder.plan.cache))
             if (!output.lighting) output.lighting = owned(name);
     output.historyWasReset = !reason.empty();
     output.resetReason = reason;

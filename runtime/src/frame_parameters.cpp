@@ -3,6 +3,8 @@
 // jitters.
 #include "frame_parameters.hpp"
 
+#include "plan_images.hpp"
+
 #include <algorithm>
 #include <cstring>
 
@@ -131,6 +133,55 @@ BilateralUpsampleParameters upsampleParameters(const FrameInput& input, const Ca
     return p;
 }
 
+// Across the width of the frame and half of it more, which is where the levels are.
+VkExtent2D hierarchyExtent(const CacheFrame& frame) {
+    return {(3 * frame.extent.width + 1) / 2, frame.extent.height};
+}
+
+DepthHierarchyParameters hierarchyParameters(const FrameInput& input, const CacheFrame& frame) {
+    DepthHierarchyParameters p{};
+    store(p.gInputSize, sizeOf(frame.extent));
+    store(p.gOutputSize, sizeOf(hierarchyExtent(frame)));
+    store(p.gLinearDepth, linearDepthCoefficients(input.camera.viewToClip));
+    p.gSkyDepth = static_cast<float>(skyFrom(input, frame));
+    return p;
+}
+
+// Up to which the 16 bits of the history tell depths apart: their step is 1.5 cm.
+constexpr float obscuranceFarDepth = 1000.0f;
+
+ScalableObscuranceParameters obscuranceParameters(const FrameInput& input, const CacheFrame& frame) {
+    const CacheTuning& tuning = input.cache;
+    ScalableObscuranceParameters p{};
+    store(p.gOutputSize, sizeOf(frame.extent));
+    store(p.gViewRay, viewRay(input.camera.viewToClip));
+    p.gRadius = tuning.radius;
+    p.gIntensity = tuning.obscurance.intensity;
+    store(p.gBias, tuning.obscurance.bias);
+    p.gFrameIndex = static_cast<float>(input.frameIndex % std::max(1u, tuning.obscurance.rotations));
+    p.gRotationCount = static_cast<float>(tuning.obscurance.rotations);
+    p.gFarDepth = obscuranceFarDepth;
+    p.gMaxWeight = tuning.obscurance.maxWeight;
+    store(p.gMissThreshold, tuning.missThreshold);
+    store(p.gMotionToUv, frame.engineMotion && input.tuning ? input.tuning->motionToUv : glm::vec2(1.0f));
+    const glm::dmat4 toPrevious = frame.previous.worldToView * glm::inverse(input.camera.worldToView);
+    store(p.gViewToPreviousDepth,
+          glm::dvec4(toPrevious[0].z, toPrevious[1].z, toPrevious[2].z, toPrevious[3].z));
+    p.gHistoryValid = frame.historyValid ? 1.0f : 0.0f;
+    return p;
+}
+
+ObscuranceFilterParameters obscuranceFilterParameters(std::string_view run, const FrameInput& input,
+                                                      const CacheFrame& frame) {
+    const float step = input.cache.filterStep;
+    ObscuranceFilterParameters p{};
+    store(p.gOutputSize, sizeOf(frame.extent));
+    store(p.gDirection, run == "across" ? glm::vec2(step, 0.0f) : glm::vec2(0.0f, step));
+    store(p.gDepthRange, input.cache.obscurance.depthRange);
+    p.gFarDepth = obscuranceFarDepth;
+    return p;
+}
+
 template <class Parameters> std::vector<std::byte> bytesOf(const Parameters& parameters) {
     const auto bytes = std::as_bytes(std::span(&parameters, 1));
     return {bytes.begin(), bytes.end()};
@@ -147,6 +198,9 @@ Result<std::vector<std::byte>> cacheParameters(std::string_view pass, std::strin
         if (!parameters) return parameters.error();
         return bytesOf(*parameters);
     }
+    if (pass == "depth_hierarchy") return bytesOf(hierarchyParameters(input, frame));
+    if (pass == obscurancePass) return bytesOf(obscuranceParameters(input, frame));
+    if (pass == obscuranceFilterPass) return bytesOf(obscuranceFilterParameters(run, input, frame));
     if (pass == "reprojection_cache") return bytesOf(historyParameters(input, frame));
     if (pass == "bilateral_filter") return bytesOf(filterParameters(run, input, frame));
     return bytesOf(upsampleParameters(input, frame));

@@ -96,9 +96,9 @@ Error extentsDiffer(std::string_view pass, std::string_view image, VkExtent2D ex
                                             ", which does not fit the output of " + text(output) + "."};
 }
 
-Result<void> checkExtents(const Variant& variant, std::span<const ImageInfo> infos, const NamedImage& output,
-                          double outputScale, std::span<const NamedImage> images) {
-    const VkExtent2D extent = output.image.extent;
+Result<void> checkExtents(const Variant& variant, std::span<const ImageInfo> infos, const ImageInfo& output,
+                          VkExtent2D extent, std::span<const NamedImage> images) {
+    const double outputScale = scaleOf(variant, output);
     for (const ImageInfo* info : existing(variant, infos)) {
         const ImageRef* image = findImage(images, info->name);
         if (image == nullptr) continue; // a buffer, or not used by the module
@@ -106,7 +106,8 @@ Result<void> checkExtents(const Variant& variant, std::span<const ImageInfo> inf
         if (scale == 0.0) continue; // an extent of its own
         const auto agree = [&](double coarse) {
             const double own = scale < 1.0 ? coarse : scale, first = outputScale < 1.0 ? coarse : outputScale;
-            return fits(image->extent.width, own, extent.width, first) &&
+            return fits(image->extent.width, own * info->widthScale, extent.width,
+                        first * output.widthScale) &&
                    fits(image->extent.height, own, extent.height, first);
         };
         // A pass that need not know its ratio takes any.
@@ -144,10 +145,8 @@ Result<PreparedPass> prepareTargets(const Variant& variant, Stage stage, std::sp
     }
     if (outputs.empty())
         return Error{ErrorCode::invalidArgument, "The pass " + std::string(pass.name) + " has no output."};
-    const NamedImage first{outputs.front()->name, *findImage(images, outputs.front()->name)};
     for (const auto infos : {pass.inputs, pass.outputs})
-        if (auto checked = checkExtents(variant, infos, first, scaleOf(variant, *outputs.front()), images);
-            !checked)
+        if (auto checked = checkExtents(variant, infos, *outputs.front(), prepared.extent, images); !checked)
             return checked.error();
     return prepared;
 }

@@ -15,18 +15,28 @@ struct Candidate {
     std::string_view veto;
 };
 
+bool isOcclusion(std::string_view pass) {
+    return pass == "ambient_occlusion" || pass == obscurancePass;
+}
+
+bool isFilter(std::string_view pass) {
+    return pass == filterPass || pass == obscuranceFilterPass;
+}
+
 std::string_view vetoOf(const PassInfo& pass, const SceneNeeds& needs, const Settings& settings) {
     if (pass.name == temporalPass && !needs.antiAliasing) return "Anti-aliasing is not asked for.";
     if (pass.name == upsamplePass && !cachesAnything(needs))
         return "Neither occlusion nor shadows nor a value of the engine's is asked for.";
     if (pass.name == upsamplePass && settings.cache.ratio == 1)
         return "CacheSettings::ratio is 1: there is nothing to upsample.";
-    if (pass.name == "ambient_occlusion" && !needs.ambientOcclusion)
-        return "Ambient occlusion is not asked for.";
+    if (isOcclusion(pass.name)) {
+        if (!needs.ambientOcclusion) return "Ambient occlusion is not asked for.";
+        if (pass.name != settings.cache.occlusion) return "CacheSettings::occlusion is another pass.";
+    }
     if (pass.name == "sun_shadow" && !needs.sunShadows) return "Sun shadows are not asked for.";
     if (pass.name == cachePass && !settings.cache.history && !settings.cache.filter)
         return "CacheSettings::history and filter are off: what is computed is upsampled.";
-    if (pass.name == filterPass && !settings.cache.filter) return "CacheSettings::filter is off.";
+    if (isFilter(pass.name) && !settings.cache.filter) return "CacheSettings::filter is off.";
     const bool camera = pass.name == "camera_velocity", object = pass.name == "object_velocity";
     if ((camera || object) && needs.engineWritesMotion) return "The engine writes motion vectors itself.";
     if (camera && !needs.cameraMoves)
@@ -61,11 +71,13 @@ Result<std::vector<Candidate>> candidatesFor(std::span<const PassInfo> passes,
     std::vector<Candidate> candidates;
     for (const PassInfo& pass : passes) {
         if (pass.outputs.empty()) continue; // the full-screen triangle
-        auto variant = chooseVariant(pass, presets, needs, settings, dropped);
+        const std::string_view veto = vetoOf(pass, needs, settings);
+        // What is left out has no switches to be chosen.
+        auto variant = veto.empty() ? chooseVariant(pass, presets, needs, settings, dropped)
+                                    : makeVariant(passes, pass.name);
         if (!variant) return variant.error();
         const Stage stage = stageOf(pass, settings.stage);
-        const std::string_view veto = vetoOf(pass, needs, settings);
-        if (pass.name == filterPass) {
+        if (isFilter(pass.name)) {
             addCandidate(candidates, *variant, stage, veto, "across");
             addCandidate(candidates, *variant, stage, veto, "down");
             continue;
@@ -105,7 +117,7 @@ void drop(FramePlan& plan, std::string_view pass, std::string reason) {
 // Walks back from the anti-aliased frame and from the framework's last step.
 void choosePasses(std::vector<Candidate> candidates, const SceneNeeds& needs, FramePlan& plan) {
     std::vector<std::string> wanted;
-    if (cachesAnything(needs)) wanted = lightingImages();
+    if (cachesAnything(needs)) wanted = lightingImages(plan.cache);
     for (auto candidate = candidates.rbegin(); candidate != candidates.rend(); ++candidate) {
         const std::string_view name = candidate->pass.variant.pass->name;
         const bool needed = name == temporalPass || wantsAny(wanted, candidate->pass);
@@ -129,6 +141,14 @@ Result<void> checkCache(const SceneNeeds& needs, const CacheSettings& cache) {
             ErrorCode::invalidArgument,
             "Occlusion and shadows share a cache below full resolution only, where upsampling unpacks "
             "them; at a ratio of 1 make a plan and a recorder for each."};
+    if (!isOcclusion(cache.occlusion))
+        return Error{ErrorCode::invalidArgument, "CacheSettings::occlusion is ambient_occlusion or "
+                                                 "scalable_obscurance, not '" +
+                                                     std::string(cache.occlusion) + "'."};
+    if (cache.occlusion == obscurancePass && (needs.sunShadows || needs.cachedValue))
+        return Error{
+            ErrorCode::invalidArgument,
+            "scalable_obscurance shares no cache; make a plan and a recorder for shadows or a value."};
     if (needs.cachedValue && (needs.ambientOcclusion || needs.sunShadows))
         return Error{ErrorCode::invalidArgument,
                      "A cache holds occlusion and shadows or a value of the engine's; make a plan and a "

@@ -39,7 +39,8 @@ int add(const Layout& layout, const ImageInfo& info, std::string name, std::stri
     PlannedImage image;
     image.name = std::move(name);
     image.format = format;
-    image.extent = {scaled(layout.extent.width, scale), scaled(layout.extent.height, scale)};
+    image.extent = {scaled(layout.extent.width, scale * info.widthScale),
+                    scaled(layout.extent.height, scale)};
     image.firstPass = image.lastPass = pass;
     image.bytes = uint64_t(texelBytes(format)) * image.extent.width * image.extent.height;
     layout.plan.images.push_back(std::move(image));
@@ -118,7 +119,7 @@ void keepOutputs(FramePlan& plan) {
         return image >= 0;
     };
     keep(velocityImage);
-    for (const std::string& name : lightingImages())
+    for (const std::string& name : lightingImages(plan.cache))
         if (keep(name)) break;
 }
 
@@ -135,12 +136,13 @@ std::vector<std::string> sourcesOf(std::string_view input) {
     if (input == "gInFresh") return {"gOutShadow", "gOutOcclusion"};
     if (input == "gInCache") return {"gOutFilteredAcross", "gOutCache"};
     if (input == "gInFiltered") return {"gOutFiltered", "gOutCache", "gOutShadow", "gOutOcclusion"};
-    if (input == "gInLighting") return lightingImages();
+    if (input == "gInObscurance") return {"gOutFilteredObscuranceAcross", "gOutObscurance"};
     if (input == "gInColour") return {"gOutLit"};
     return {std::string(outPrefix) + std::string(input.substr(inPrefix.size()))};
 }
 
-std::vector<std::string> lightingImages() {
+std::vector<std::string> lightingImages(const CacheSettings& cache) {
+    if (cache.occlusion == obscurancePass) return {"gOutFilteredObscurance", "gOutObscurance"};
     std::vector<std::string> images{"gOutUpsampled"};
     for (std::string& each : sourcesOf("gInFiltered"))
         images.push_back(std::move(each));

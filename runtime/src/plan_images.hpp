@@ -9,6 +9,8 @@ namespace reprise {
 inline constexpr std::string_view temporalPass = "temporal_aa", velocityImage = "gOutVelocity";
 inline constexpr std::string_view upsamplePass = "bilateral_upsample";
 inline constexpr std::string_view cachePass = "reprojection_cache", filterPass = "bilateral_filter";
+inline constexpr std::string_view obscurancePass = "scalable_obscurance",
+                                  obscuranceFilterPass = "obscurance_filter";
 
 bool isHistory(const ImageInfo& input);
 bool isImage(const ImageInfo& info); // else a buffer
@@ -16,7 +18,7 @@ bool isImage(const ImageInfo& info); // else a buffer
 // wrote; the framework's steps read what the step before wrote, whichever that is.
 std::vector<std::string> sourcesOf(std::string_view input);
 // What the framework hands over: the first of these images that there is.
-std::vector<std::string> lightingImages();
+std::vector<std::string> lightingImages(const CacheSettings& cache);
 // Image that a pass writes as this output: the two runs of the filter write two.
 std::string imageName(const PlannedPass& pass, std::string_view output);
 

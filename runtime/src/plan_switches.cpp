@@ -61,6 +61,7 @@ struct Choice {
 // Switches of the framework's passes that the needs and the settings name the value of.
 std::vector<Choice> choicesFor(const SceneNeeds& needs, const CacheSettings& cache) {
     std::vector<Choice> choices{
+        {"TEMPORAL", cache.history ? "on" : "off", {}},
         {"RATIO", std::to_string(cache.ratio), {}},
         {"SAMPLES", std::to_string(cache.samples), {}},
         {"CASCADES", std::to_string(cache.cascades), {}},
@@ -83,7 +84,6 @@ Result<void> applyChoices(Variant& variant, const SceneNeeds& needs, const Cache
                           std::vector<Dropped>& dropped) {
     for (const Choice& choice : choicesFor(needs, cache)) {
         if (!hasSwitch(*variant.pass, choice.switchName)) continue;
-        if (variant.pass->name == upsamplePass && cache.ratio == 1) continue; // it is left out
         if (auto set = setSwitch(variant, choice.switchName, choice.value); !set) return set;
         if (!choice.reason.empty())
             dropped.push_back({std::string(variant.pass->name) + ": " + std::string(choice.switchName),

@@ -5,9 +5,11 @@
 #include "passes/bilateral_upsample_case.hpp"
 #include "passes/camera_case.hpp"
 #include "passes/depth_downsample_case.hpp"
+#include "passes/depth_hierarchy_case.hpp"
 #include "passes/object_case.hpp"
 #include "passes/reprojection_cache_case.hpp"
 #include "passes/sun_shadow_case.hpp"
+#include "passes/scalable_obscurance_case.hpp"
 #include "passes/temporal_aa_case.hpp"
 
 #include <algorithm>
@@ -228,6 +230,43 @@ std::vector<Scene> sunShadowScenes(const Variant& variant) {
     return scenes;
 }
 
+std::vector<Scene> depthHierarchyScenes(const Variant& variant) {
+    std::vector<Scene> scenes;
+    for (const Size size : sizes) {
+        auto made = passes::depthHierarchyCase(variant, 2 * size.width / 3, size.height, 69);
+        setExtent(made, {size.width, size.height});
+        const auto frame = shared(std::move(made));
+        scenes.push_back(sceneOf(size, frame));
+        scenes.back().images = {{"gInDepth", &frame->depths.depth}};
+    }
+    return scenes;
+}
+
+std::vector<Scene> scalableObscuranceScenes(const Variant& variant) {
+    std::vector<Scene> scenes;
+    for (const Size size : sizes) {
+        const auto surfaces =
+            size.width == sizes[0].width ? passes::Surfaces::random : passes::Surfaces::corner;
+        const auto frame =
+            shared(passes::scalableObscuranceCase(variant, surfaces, size.width, size.height, 70));
+        scenes.push_back(sceneOf(size, frame));
+        scenes.back().images = {{"gInDepthHierarchy", &frame->hierarchy},
+                                {"gInVelocity", &frame->velocity},
+                                {"gHistoryObscurance", &frame->history}};
+    }
+    return scenes;
+}
+
+std::vector<Scene> obscuranceFilterScenes(const Variant&) {
+    std::vector<Scene> scenes;
+    for (const Size size : sizes) {
+        const auto frame = shared(passes::obscuranceFilterCase(size.width, size.height, {1, 0}, 71));
+        scenes.push_back(sceneOf(size, frame));
+        scenes.back().images = {{"gInObscurance", &frame->source}};
+    }
+    return scenes;
+}
+
 // --- fullscreen
 
 // Where a pixel says that it is, to 1/1024 px: far from the half pixel that is looked for.
@@ -266,6 +305,9 @@ constexpr PassScenes passScenes[] = {
     {"bilateral_filter", bilateralFilterScenes},
     {"bilateral_upsample", bilateralUpsampleScenes},
     {"sun_shadow", sunShadowScenes},
+    {"depth_hierarchy", depthHierarchyScenes},
+    {"scalable_obscurance", scalableObscuranceScenes},
+    {"obscurance_filter", obscuranceFilterScenes},
     {"temporal_aa", temporalAaScenes},
 };
 

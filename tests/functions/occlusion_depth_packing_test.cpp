@@ -104,14 +104,101 @@ TEST(OcclusionDepthPacking, swappedChannelsAndWrongFarPlanesAreCaught) {
     EXPECT_GT(within({header, "unpackKey16(texel.gb)", "texel.g"}).off, 0u);
 }
 
+// --- The fine form: 12 bits of occlusion, 4 of frames
+
+// As pack, in1.x: noise
+const Function packFine{
+    "packFineOcclusionDepth",
+    {header},
+    "OcclusionDepth data; data.occlusion = in0.x; data.linearDepth = in0.y; data.convergence = in0.z;"
+    "out0 = packFineOcclusionDepth(data, in0.w, in1.x);",
+    2};
+const Function unpackFine{"unpackFineOcclusionDepth",
+                          {header},
+                          "OcclusionDepth data = unpackFineOcclusionDepth(in0, in1.x);"
+                          "out0.xyz = float3(data.occlusion, data.linearDepth, data.convergence);",
+                          2};
+
+std::vector<Row> fineRoundTrip(const std::vector<Row>& data, const Mutation& mutation = {}) {
+    auto stored = run(packFine, data, {.mutation = mutation, .outputFormat = "rgba8"});
+    for (size_t i = 0; i < data.size(); ++i)
+        stored[i].push_back(vec4(data[i][0].w, 0.0f, 0.0f, 0.0f));
+    return run(unpackFine, stored, {.mutation = mutation});
+}
+
+// Every step of occlusion with every count of frames, at noises from end to end.
+size_t fineCodesOff(const Mutation& mutation = {}) {
+    std::vector<Row> data;
+    for (const float noise : {0.0f, 0.25f, 0.5f, 0.75f, 0.998f, 1.0f})
+        for (int step = 0; step <= 4080; ++step)
+            data.push_back({vec4(static_cast<float>(step / 4080.0), static_cast<float>(step % 256 * 0.25),
+                                 static_cast<float>(step % 16), 100.0f),
+                            vec4(noise)});
+    const auto back = fineRoundTrip(data, mutation);
+    size_t off = 0;
+    for (size_t i = 0; i < data.size(); ++i) {
+        const double steps = 4080.0 * back[i][0].x;
+        off += !(std::abs(steps - static_cast<double>(i % 4081)) < 1e-3 && back[i][0].z == data[i][0].z &&
+                 std::abs(back[i][0].y - data[i][0].y) <= 100.0 / 131070.0 + 1e-4);
+    }
+    return off;
+}
+
+TEST(OcclusionDepthPacking, everyFineStepAndCountComesBackWhateverTheNoise) {
+    EXPECT_EQ(fineCodesOff(), 0u);
+    EXPECT_GT(fineCodesOff({header, "floor((step + 8.0) / 16.0)", "floor(step / 16.0)"}), 0u);
+    EXPECT_GT(fineCodesOff({header, "bounded(noise, 0.002, 0.998)", "2.0 * noise"}), 0u);
+    EXPECT_GT(fineCodesOff({header, "16.0 * frames + sixteenths", "sixteenths"}), 0u);
+    EXPECT_GT(fineCodesOff({header, "16.0 * (digits.x - data.convergence)", "16.0 * digits.x"}), 0u);
+}
+
+// Red alone is the occlusion in 8 bits, to the nearest level.
+TEST(OcclusionDepthPacking, redOfTheFineFormIsTheNearestLevel) {
+    Random random(6);
+    std::vector<Row> data;
+    for (int i = 0; i < 4000; ++i)
+        data.push_back({vec4(random.in(0.0f, 1.0f), 1.0f, 3.0f, 10.0f), vec4(0.5f)});
+    const auto stored = run(packFine, data, {.outputFormat = "rgba8"});
+    for (size_t i = 0; i < data.size(); ++i) // half a level, and half a step before it
+        ASSERT_NEAR(stored[i][0].x, data[i][0].x, 1.0 / 510.0 + 1.0 / 8160.0 + 1e-6);
+}
+
+// What is written is, on average over a noise that is spread evenly, the occlusion.
+double fineMeanError(const Mutation& mutation = {}) {
+    Random random(7);
+    std::vector<Row> data;
+    for (int i = 0; i < 64; ++i) {
+        const float occlusion = random.in(0.01f, 0.99f);
+        for (int k = 0; k < 256; ++k)
+            data.push_back({vec4(occlusion, 1.0f, 3.0f, 10.0f), vec4(static_cast<float>((k + 0.5) / 256.0))});
+    }
+    const auto back = fineRoundTrip(data, mutation);
+    double worst = 0.0;
+    for (size_t i = 0; i < data.size(); i += 256) {
+        double mean = 0.0;
+        for (size_t k = i; k < i + 256; ++k)
+            mean += double{back[k][0].x} / 256.0;
+        worst = std::max(worst, std::abs(mean - double{data[i][0].x}));
+    }
+    return worst;
+}
+
+TEST(OcclusionDepthPacking, noiseKeepsTheMean) {
+    // A 256th of a step, which the noise goes by, and the step's rounding.
+    EXPECT_LE(fineMeanError(), 1.0 / 4080.0 / 200.0);
+    EXPECT_GT(fineMeanError({header, "bounded(noise, 0.002, 0.998)", "0.5"}), 0.3 / 4080.0);
+}
+
 TEST(OcclusionDepthPacking, noInputGivesNaNOrInfinity) {
     expectNumbers(pack, hostileRows(hostileFinite, 1, 2000, 2));
     expectNumbers(pack, hostileRows(hostileAny, 1, 2000, 3));
+    expectNumbers(packFine, hostileRows(hostileAny, 2, 2000, 8));
     std::vector<Row> rows = hostileRows(hostileAny, 2, 2000, 4);
     Random random(5);
     for (Row& row : rows)
         row[1] = vec4(random.of(hostileFinite));
     expectNumbers(unpack, rows);
+    expectNumbers(unpackFine, rows);
 }
 
 } // namespace

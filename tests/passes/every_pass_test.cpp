@@ -5,10 +5,12 @@
 #include "bilateral_upsample_case.hpp"
 #include "camera_case.hpp"
 #include "depth_downsample_case.hpp"
+#include "depth_hierarchy_case.hpp"
 #include "fullscreen_case.hpp"
 #include "object_case.hpp"
 #include "reprojection_cache_case.hpp"
 #include "sun_shadow_case.hpp"
+#include "scalable_obscurance_case.hpp"
 #include "temporal_aa_case.hpp"
 
 #include <algorithm>
@@ -68,6 +70,26 @@ Comparison checkSunShadow(Stage stage) {
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
+Comparison checkDepthHierarchy(Stage stage) {
+    const Variant variant = variantOf(pack(), "depth_hierarchy");
+    Pass pass(variant, stage);
+    const DepthHierarchyCase frame = depthHierarchyCase(variant, 33, 17, 58);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkScalableObscurance(Stage stage) {
+    const Variant variant = variantOf(pack(), "scalable_obscurance");
+    Pass pass(variant, stage);
+    const ScalableObscuranceCase frame = scalableObscuranceCase(variant, Surfaces::corner, 33, 17, 59);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkObscuranceFilter(Stage stage) {
+    Pass pass(variantOf(pack(), "obscurance_filter"), stage);
+    const ObscuranceFilterCase frame = obscuranceFilterCase(33, 17, {1, 0}, 60);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
 // Its two stages are executed together.
 Comparison checkObjectVelocity(Stage) {
     const ObjectCase object;
@@ -97,6 +119,9 @@ constexpr PassCheck checks[] = {
     {"bilateral_filter", checkBilateralFilter},
     {"bilateral_upsample", checkBilateralUpsample},
     {"sun_shadow", checkSunShadow},
+    {"depth_hierarchy", checkDepthHierarchy},
+    {"scalable_obscurance", checkScalableObscurance},
+    {"obscurance_filter", checkObscuranceFilter},
     {"temporal_aa", checkTemporalAa},
 };
 

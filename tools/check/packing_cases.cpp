@@ -51,6 +51,41 @@ std::vector<Right> occlusionDepthBack(const Row& in) {
              3}};
 }
 
+// The fine form: occlusion to a step of 4080 whatever the noise, whole frames to 15.
+std::vector<Right> fineOcclusionDepthBack(const Row& in) {
+    const double far = in[0].w, frames = held(in[0].z, 0.0, 15.0);
+    const bool between = std::abs(frames - std::floor(frames) - 0.5) < 1e-3;
+    return {{dvec4(held(in[0].x, 0.0, 1.0), held(in[0].y, 0.0, far), std::floor(frames + 0.5), 0.0),
+             dvec4(1.0 / 4080.0 + 8.0 * roundoff, far * (1.0 / 131070.0 + 2.0 * divisionError),
+                   between ? unbounded : 0.0, 0.0) /
+                 roundoff,
+             3}};
+}
+
+std::vector<Case> fineOcclusionDepthCases() {
+    const std::string sweep = everyHalfName + ", far 1 to 1e7 m, noise 0 to 1";
+    // Noise by the occlusion's own digits: any.
+    const std::string noise = "float noise = frac(in0.x * 977.0);\n";
+    return {{sweep + ", through RGBA8",
+             storing("packFineOcclusionDepth", occlusionDepth,
+                     filled + noise +
+                         "OcclusionDepth back = unpackFineOcclusionDepth(storedUnorm8("
+                         "packFineOcclusionDepth(data, in0.w, noise)), in0.w);\n"
+                         "out0.xyz = float3(back.occlusion, back.linearDepth, back.convergence);"),
+             {Unit::roundings, 1.0, "a step of 4080, half a code of 65535, whole frames"},
+             [](const Effort& effort) {
+                 return Sweep{occlusionDepths(effort), fineOcclusionDepthBack};
+             }},
+            {everyHalfName + " as texel",
+             storing("unpackFineOcclusionDepth", occlusionDepth,
+                     "OcclusionDepth back = unpackFineOcclusionDepth(in0, 100.0);\n"
+                     "out0.xyz = float3(back.occlusion, back.linearDepth, back.convergence);"),
+             {Unit::finite, 0.0, "what no packing wrote"},
+             [](const Effort&) {
+                 return Sweep{halfRows(7), [](const Row&) { return std::vector{open(3)}; }};
+             }}};
+}
+
 std::vector<Case> occlusionDepthCases() {
     const std::string sweep = everyHalfName + ", far 1 to 1e7 m";
     return {
@@ -188,7 +223,7 @@ std::vector<Case> listing74() {
 
 std::vector<Case> packingCases() {
     std::vector<Case> all;
-    for (const auto& more : {occlusionDepthCases(), listing74()})
+    for (const auto& more : {occlusionDepthCases(), fineOcclusionDepthCases(), listing74()})
         all.insert(all.end(), more.begin(), more.end());
     all.push_back(packing("packUnitPair", false));
     all.push_back(packing("packOcclusionInInteger", false));

@@ -171,12 +171,18 @@ ImageInfo Reader::readImage(const toml::table& table, const PassInfo& pass) {
     image.name = text(table, "name");
     image.space = textOr(table, "space");
     image.format = textOr(table, "format");
-    image.scale = 1.0f;
-    if (const toml::node* scale = table.get("scale")) {
+    const auto scaleOr1 = [&](std::string_view key) {
+        const toml::node* scale = table.get(key);
+        if (!scale) return 1.0f;
         const auto value = scale->value<double>();
-        if (!value || !(*value >= 0.0)) fail(*scale, "the scale must be a number, 0 for an extent of its own");
-        image.scale = static_cast<float>(*value);
-    }
+        const bool own = key == "scale";
+        if (!value || !(own ? *value >= 0.0 : *value > 0.0))
+            fail(*scale, own ? "the scale must be a number, 0 for an extent of its own"
+                             : "the scale must be a number above 0");
+        return static_cast<float>(*value);
+    };
+    image.scale = scaleOr1("scale");
+    image.widthScale = scaleOr1("width_scale");
     image.history = textOr(table, "history");
     image.sameAs = textOr(table, "same_as");
     image.when = conditions(table, "when", pass);
@@ -194,8 +200,8 @@ void Reader::addBinding(const toml::table& table, std::vector<BindingInfo>& bind
 
 void Reader::readInput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
                        std::vector<BindingInfo>& bindings) {
-    allow(table,
-          {"name", "binding", "filter", "kind", "space", "format", "scale", "when", "history", "same_as"});
+    allow(table, {"name", "binding", "filter", "kind", "space", "format", "scale", "width_scale", "when",
+                  "history", "same_as"});
     const ImageInfo image = readImage(table, pass);
     images.push_back(image);
     const uint32_t binding = number(need(table, "binding"));
@@ -217,7 +223,7 @@ void Reader::readInput(const toml::table& table, const PassInfo& pass, std::vect
 
 void Reader::readOutput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
                         std::vector<BindingInfo>& bindings) {
-    allow(table, {"name", "binding", "space", "format", "scale", "when"});
+    allow(table, {"name", "binding", "space", "format", "scale", "width_scale", "when"});
     const ImageInfo image = readImage(table, pass);
     if (image.format.empty()) fail(table, "an output needs a format; add it");
     if (image.scale == 0.0f) fail(table, "an output has a share of the frame's extent; give a scale above 0");
@@ -289,8 +295,11 @@ void Reader::readPreset(const toml::table& table) {
     if (pass == storage_.passes.end()) fail(need(table, "pass"), "there is no pass " + std::string(passName));
     auto& presets = storage_.presets[static_cast<size_t>(pass - storage_.passes.begin())];
     const auto [feedbackMin, feedbackMax] = feedback(table);
-    const PresetInfo preset{text(table, "name"), textOr(table, "summary"),
-                            conditions(table, "switches", *pass), feedbackMin, feedbackMax,
+    const PresetInfo preset{text(table, "name"),
+                            textOr(table, "summary"),
+                            conditions(table, "switches", *pass),
+                            feedbackMin,
+                            feedbackMax,
                             flagOr(table, "ramp_feedback", false)};
     if (std::ranges::find(presets, preset.name, &PresetInfo::name) != presets.end())
         fail(table, "the pass " + std::string(passName) + " has two presets of this name; rename one");

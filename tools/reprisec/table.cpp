@@ -101,9 +101,11 @@ std::string addImages(Arrays& arrays, const std::string& pass, const char* what,
     for (const auto& each : images) {
         const std::string when =
             addConditions(arrays, pass + "_" + std::string(each.name) + "_when", each.when);
+        const std::string width = each.widthScale == 1.0f ? "" : ", " + std::to_string(each.widthScale) + "f";
         elements.push_back("{" + literal(each.name) + ", " + literal(each.space) + ", " +
                            literal(each.format) + ", " + std::to_string(each.scale) + "f, " +
-                           literal(each.history) + ", " + when + ",\n     " + literal(each.sameAs) + "}");
+                           literal(each.history) + ", " + when + ",\n     " + literal(each.sameAs) + width +
+                           "}");
     }
     return arrays.add("ImageInfo", pass + "_" + what, elements);
 }

@@ -244,6 +244,88 @@ inline constexpr uint32_t gInNormal_sampler = 36;
 inline constexpr uint32_t gInCoarseNormal_sampler = 37;
 }
 
+// depth_hierarchy: Linear depth at five resolutions in one image
+struct alignas(16) DepthHierarchyParameters {
+    float gInputSize[4];   // float4
+    float gOutputSize[4];   // float4
+    float gLinearDepth[2];   // float2
+    float gSkyDepth;
+    float pad0[1];
+};
+static_assert(sizeof(DepthHierarchyParameters) == 48);
+static_assert(offsetof(DepthHierarchyParameters, gInputSize) == 0);
+static_assert(offsetof(DepthHierarchyParameters, gOutputSize) == 16);
+static_assert(offsetof(DepthHierarchyParameters, gLinearDepth) == 32);
+static_assert(offsetof(DepthHierarchyParameters, gSkyDepth) == 40);
+namespace bindings::depth_hierarchy {
+inline constexpr uint32_t DepthHierarchyParameters = 0;
+inline constexpr uint32_t gInDepth = 1;
+inline constexpr uint32_t gOutDepthHierarchy = 16;
+inline constexpr uint32_t gInDepth_sampler = 33;
+}
+
+// scalable_obscurance: Scalable ambient obscurance, accumulated over frames before the blur
+struct alignas(16) ScalableObscuranceParameters {
+    float gOutputSize[4];   // float4
+    float gViewRay[4];   // float4
+    float gRadius;
+    float gIntensity;
+    float gBias[2];   // float2
+    float gFrameIndex;
+    float gRotationCount;
+    float gFarDepth;
+    float gMaxWeight;
+    float gMissThreshold[2];   // float2
+    float gMotionToUv[2];   // float2
+    float gViewToPreviousDepth[4];   // float4
+    float gHistoryValid;
+    float pad0[3];
+};
+static_assert(sizeof(ScalableObscuranceParameters) == 112);
+static_assert(offsetof(ScalableObscuranceParameters, gOutputSize) == 0);
+static_assert(offsetof(ScalableObscuranceParameters, gViewRay) == 16);
+static_assert(offsetof(ScalableObscuranceParameters, gRadius) == 32);
+static_assert(offsetof(ScalableObscuranceParameters, gIntensity) == 36);
+static_assert(offsetof(ScalableObscuranceParameters, gBias) == 40);
+static_assert(offsetof(ScalableObscuranceParameters, gFrameIndex) == 48);
+static_assert(offsetof(ScalableObscuranceParameters, gRotationCount) == 52);
+static_assert(offsetof(ScalableObscuranceParameters, gFarDepth) == 56);
+static_assert(offsetof(ScalableObscuranceParameters, gMaxWeight) == 60);
+static_assert(offsetof(ScalableObscuranceParameters, gMissThreshold) == 64);
+static_assert(offsetof(ScalableObscuranceParameters, gMotionToUv) == 72);
+static_assert(offsetof(ScalableObscuranceParameters, gViewToPreviousDepth) == 80);
+static_assert(offsetof(ScalableObscuranceParameters, gHistoryValid) == 96);
+namespace bindings::scalable_obscurance {
+inline constexpr uint32_t ScalableObscuranceParameters = 0;
+inline constexpr uint32_t gInDepthHierarchy = 1;
+inline constexpr uint32_t gInVelocity = 2;
+inline constexpr uint32_t gHistoryObscurance = 3;
+inline constexpr uint32_t gOutObscurance = 16;
+inline constexpr uint32_t gInDepthHierarchy_sampler = 33;
+inline constexpr uint32_t gInVelocity_sampler = 34;
+inline constexpr uint32_t gHistoryObscurance_sampler = 35;
+}
+
+// obscurance_filter: One direction of the bilateral blur of obscurance and depth in one texel
+struct alignas(16) ObscuranceFilterParameters {
+    float gOutputSize[4];   // float4
+    float gDirection[2];   // float2
+    float gDepthRange[2];   // float2
+    float gFarDepth;
+    float pad0[3];
+};
+static_assert(sizeof(ObscuranceFilterParameters) == 48);
+static_assert(offsetof(ObscuranceFilterParameters, gOutputSize) == 0);
+static_assert(offsetof(ObscuranceFilterParameters, gDirection) == 16);
+static_assert(offsetof(ObscuranceFilterParameters, gDepthRange) == 24);
+static_assert(offsetof(ObscuranceFilterParameters, gFarDepth) == 32);
+namespace bindings::obscurance_filter {
+inline constexpr uint32_t ObscuranceFilterParameters = 0;
+inline constexpr uint32_t gInObscurance = 1;
+inline constexpr uint32_t gOutFilteredObscurance = 16;
+inline constexpr uint32_t gInObscurance_sampler = 33;
+}
+
 // temporal_aa: Temporal reprojection anti-aliasing
 struct alignas(16) TemporalAaParameters {
     float gOutputSize[4];   // float4
@@ -799,6 +881,149 @@ inline constexpr PackModule bilateral_upsample_modules[] = {
     {"bilateral_upsample--orthographic-on", Stage::compute,
      "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
 };
+inline constexpr Stage depth_hierarchy_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view depth_hierarchy_DEPTH_LINEAR_values[] = {"off", "on"};
+inline constexpr std::string_view depth_hierarchy_ORTHOGRAPHIC_values[] = {"off", "on"};
+inline constexpr SwitchInfo depth_hierarchy_switches[] = {
+    {"DEPTH_LINEAR", depth_hierarchy_DEPTH_LINEAR_values, 0, "the engine hands over linear view depth instead of device depth",
+     "gInDepth holds linear depth in metres", {}},
+    {"ORTHOGRAPHIC", depth_hierarchy_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
+     "device depth is affine in linear depth", {}},
+};
+inline constexpr BindingInfo depth_hierarchy_bindings[] = {
+    {"DepthHierarchyParameters", 0, BindingKind::uniformBuffer},
+    {"gInDepth", 1, BindingKind::sampledImage},
+    {"gOutDepthHierarchy", 16, BindingKind::storageImage},
+    {"gInDepth_sampler", 33, BindingKind::pointSampler},
+};
+inline constexpr ImageInfo depth_hierarchy_inputs[] = {
+    {"gInDepth", "device depth [0,1], or metres with DEPTH_LINEAR", "r32f", 1.000000f, "", {},
+     ""},
+};
+inline constexpr ImageInfo depth_hierarchy_outputs[] = {
+    {"gOutDepthHierarchy", "linear depth, metres; 65504 is sky", "r32f", 1.000000f, "", {},
+     "", 1.500000f},
+};
+inline constexpr PackModule depth_hierarchy_modules[] = {
+    {"depth_hierarchy", Stage::fragment,
+     "", ""},
+    {"depth_hierarchy", Stage::compute,
+     "", ""},
+    {"depth_hierarchy--depth_linear-on", Stage::fragment,
+     "", ""},
+    {"depth_hierarchy--depth_linear-on", Stage::compute,
+     "", ""},
+    {"depth_hierarchy--orthographic-on", Stage::fragment,
+     "", ""},
+    {"depth_hierarchy--orthographic-on", Stage::compute,
+     "", ""},
+};
+inline constexpr Stage scalable_obscurance_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view scalable_obscurance_SAMPLES_values[] = {"3", "5", "7", "9", "11", "15", "21", "33"};
+inline constexpr std::string_view scalable_obscurance_TEMPORAL_values[] = {"off", "on"};
+inline constexpr std::string_view scalable_obscurance_MOTION_values[] = {"off", "on"};
+inline constexpr std::string_view scalable_obscurance_ORTHOGRAPHIC_values[] = {"off", "on"};
+inline constexpr SwitchInfo scalable_obscurance_switches[] = {
+    {"SAMPLES", scalable_obscurance_SAMPLES_values, 2, "",
+     "taps a pixel and frame, one read each", {}},
+    {"TEMPORAL", scalable_obscurance_TEMPORAL_values, 1, "",
+     "the history of the same surface is blended in", {}},
+    {"MOTION", scalable_obscurance_MOTION_values, 1, "the camera or an object moves",
+     "history is fetched along gInVelocity; off: at the same place", {}},
+    {"ORTHOGRAPHIC", scalable_obscurance_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
+     "rays are parallel", {}},
+};
+inline constexpr BindingInfo scalable_obscurance_bindings[] = {
+    {"ScalableObscuranceParameters", 0, BindingKind::uniformBuffer},
+    {"gInDepthHierarchy", 1, BindingKind::sampledImage},
+    {"gInVelocity", 2, BindingKind::sampledImage},
+    {"gHistoryObscurance", 3, BindingKind::sampledImage},
+    {"gOutObscurance", 16, BindingKind::storageImage},
+    {"gInDepthHierarchy_sampler", 33, BindingKind::pointSampler},
+    {"gInVelocity_sampler", 34, BindingKind::pointSampler},
+    {"gHistoryObscurance_sampler", 35, BindingKind::pointSampler},
+};
+inline constexpr Condition scalable_obscurance_gInVelocity_when[] = {{"MOTION", "on"}, {"TEMPORAL", "on"}};
+inline constexpr Condition scalable_obscurance_gHistoryObscurance_when[] = {{"TEMPORAL", "on"}};
+inline constexpr ImageInfo scalable_obscurance_inputs[] = {
+    {"gInDepthHierarchy", "linear depth, metres; 65504 is sky", "r32f", 1.000000f, "", {},
+     "", 1.500000f},
+    {"gInVelocity", "motion, scaled by gMotionToUv", "rg16f", 1.000000f, "", scalable_obscurance_gInVelocity_when,
+     ""},
+    {"gHistoryObscurance", "visibility, depth and frames in digits", "rgba8", 1.000000f, "gOutObscurance", scalable_obscurance_gHistoryObscurance_when,
+     ""},
+};
+inline constexpr ImageInfo scalable_obscurance_outputs[] = {
+    {"gOutObscurance", "visibility, depth and frames in digits", "rgba8", 1.000000f, "", {},
+     ""},
+};
+inline constexpr PackModule scalable_obscurance_modules[] = {
+    {"scalable_obscurance", Stage::fragment,
+     "", ""},
+    {"scalable_obscurance", Stage::compute,
+     "", ""},
+    {"scalable_obscurance--samples-3", Stage::fragment,
+     "", ""},
+    {"scalable_obscurance--samples-3", Stage::compute,
+     "", ""},
+    {"scalable_obscurance--samples-5", Stage::fragment,
+     "", ""},
+    {"scalable_obscurance--samples-5", Stage::compute,
+     "", ""},
+    {"scalable_obscurance--samples-9", Stage::fragment,
+     "", ""},
+    {"scalable_obscurance--samples-9", Stage::compute,
+     "", ""},
+    {"scalable_obscurance--samples-11", Stage::fragment,
+     "", ""},
+    {"scalable_obscurance--samples-11", Stage::compute,
+     "", ""},
+    {"scalable_obscurance--samples-15", Stage::fragment,
+     "", ""},
+    {"scalable_obscurance--samples-15", Stage::compute,
+     "", ""},
+    {"scalable_obscurance--samples-21", Stage::fragment,
+     "", ""},
+    {"scalable_obscurance--samples-21", Stage::compute,
+     "", ""},
+    {"scalable_obscurance--samples-33", Stage::fragment,
+     "", ""},
+    {"scalable_obscurance--samples-33", Stage::compute,
+     "", ""},
+    {"scalable_obscurance--temporal-off", Stage::fragment,
+     "", ""},
+    {"scalable_obscurance--temporal-off", Stage::compute,
+     "", ""},
+    {"scalable_obscurance--motion-off", Stage::fragment,
+     "", ""},
+    {"scalable_obscurance--motion-off", Stage::compute,
+     "", ""},
+    {"scalable_obscurance--orthographic-on", Stage::fragment,
+     "", ""},
+    {"scalable_obscurance--orthographic-on", Stage::compute,
+     "", ""},
+};
+inline constexpr Stage obscurance_filter_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr BindingInfo obscurance_filter_bindings[] = {
+    {"ObscuranceFilterParameters", 0, BindingKind::uniformBuffer},
+    {"gInObscurance", 1, BindingKind::sampledImage},
+    {"gOutFilteredObscurance", 16, BindingKind::storageImage},
+    {"gInObscurance_sampler", 33, BindingKind::pointSampler},
+};
+inline constexpr ImageInfo obscurance_filter_inputs[] = {
+    {"gInObscurance", "visibility, depth and frames in digits", "rgba8", 1.000000f, "", {},
+     ""},
+};
+inline constexpr ImageInfo obscurance_filter_outputs[] = {
+    {"gOutFilteredObscurance", "visibility, depth and frames in digits", "rgba8", 1.000000f, "", {},
+     ""},
+};
+inline constexpr PackModule obscurance_filter_modules[] = {
+    {"obscurance_filter", Stage::fragment,
+     "", ""},
+    {"obscurance_filter", Stage::compute,
+     "", ""},
+};
 inline constexpr Stage temporal_aa_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view temporal_aa_MOTION_values[] = {"off", "on"};
 inline constexpr std::string_view temporal_aa_CLOSEST_FRAGMENT_values[] = {"off", "on"};
@@ -1000,6 +1225,18 @@ inline constexpr PassInfo passes[] = {
      "Drobot 7.2, Bilateral Upsampling, Listing 7.1", bilateral_upsample_stages, true,
      {16, 16, 1}, {1, 1}, 48, bilateral_upsample_switches,
      bilateral_upsample_bindings, bilateral_upsample_inputs, bilateral_upsample_outputs},
+    {"depth_hierarchy", "Linear depth at five resolutions in one image",
+     "Wronski, Algorithm overview", depth_hierarchy_stages, true,
+     {16, 16, 1}, {1, 1}, 48, depth_hierarchy_switches,
+     depth_hierarchy_bindings, depth_hierarchy_inputs, depth_hierarchy_outputs},
+    {"scalable_obscurance", "Scalable ambient obscurance, accumulated over frames before the blur",
+     "Wronski, Algorithm overview", scalable_obscurance_stages, true,
+     {16, 16, 1}, {1, 1}, 112, scalable_obscurance_switches,
+     scalable_obscurance_bindings, scalable_obscurance_inputs, scalable_obscurance_outputs},
+    {"obscurance_filter", "One direction of the bilateral blur of obscurance and depth in one texel",
+     "Wronski, Algorithm overview", obscurance_filter_stages, true,
+     {16, 16, 1}, {1, 1}, 48, {},
+     obscurance_filter_bindings, obscurance_filter_inputs, obscurance_filter_outputs},
     {"temporal_aa", "Temporal reprojection anti-aliasing",
      "INSIDE, I1 to I9", temporal_aa_stages, true,
      {32, 4, 1}, {1, 6}, 64, temporal_aa_switches,
@@ -1026,6 +1263,9 @@ inline std::span<const PackModule> packModules([[maybe_unused]] std::string_view
     if (pass == "reprojection_cache") return generated::reprojection_cache_modules;
     if (pass == "bilateral_filter") return generated::bilateral_filter_modules;
     if (pass == "bilateral_upsample") return generated::bilateral_upsample_modules;
+    if (pass == "depth_hierarchy") return generated::depth_hierarchy_modules;
+    if (pass == "scalable_obscurance") return generated::scalable_obscurance_modules;
+    if (pass == "obscurance_filter") return generated::obscurance_filter_modules;
     if (pass == "temporal_aa") return generated::temporal_aa_modules;
     return {};
 }

@@ -33,6 +33,15 @@ struct TaaTuning {
 // The numbers that a preset comes with.
 TaaTuning tuningOf(const PresetInfo& preset);
 
+// Of scalable_obscurance and its filter; docs/scalable_obscurance.md says what each does.
+struct ObscuranceTuning {
+    float intensity = 1.0f;
+    glm::vec2 bias{0.01f, 0.001f};      // metres and metres a metre of depth
+    uint32_t rotations = 3;             // frames after which the spiral repeats, 1 to 16
+    float maxWeight = 0.9f;             // most weight of history, up to 15/16
+    glm::vec2 depthRange{0.05f, 0.02f}; // of the filter, metres and metres a metre of depth
+};
+
 // Of the framework; docs/ambient_occlusion.md says what each does.
 struct CacheTuning {
     float radius = 1.0f;                   // metres, of what occludes
@@ -49,6 +58,7 @@ struct CacheTuning {
     float filterStep = 1.0f;               // texels between the filter's texels: 1 reaches four, 2 eight
     float normalContrast = 8.0f;           // of upsampling by normals: exponent of the cosine
     SunShadowTuning shadow;
+    ObscuranceTuning obscurance;
 };
 
 struct FrameInput {
@@ -57,7 +67,8 @@ struct FrameInput {
     glm::dvec2 jitterPx{0.0};       // the jitter that colour and depth were rendered with
     ImageRef colour, depth;         // in SHADER_READ_ONLY_OPTIMAL; colour with antiAliasing
     std::optional<ImageRef> motion; // with needs.engineWritesMotion; SHADER_READ_ONLY_OPTIMAL
-    // With needs.sunShadows: cascades side by side, of any extent, R32F or D32F; CacheSettings::cascades of them.
+    // With needs.sunShadows: cascades side by side, of any extent, R32F or D32F; CacheSettings::cascades of
+    // them.
     std::optional<ImageRef> shadowMap;
     std::span<const ShadowCascade> cascades;
     // With needs.cachedValue: RG16F of ceil(extent / ratio) texels, the value and its linear depth in metres.

@@ -54,6 +54,7 @@ struct ImageInfo {
     std::string_view history;        // the output that becomes this input in the next frame, or empty
     std::span<const Condition> when; // all must hold; of those on one switch, one
     std::string_view sameAs;         // the input whose image this is too, under another filter, or empty
+    float widthScale = 1.0f;         // of the width, beside scale
 };
 
 struct PassInfo {

@@ -27,6 +27,10 @@ struct SceneNeeds {
 
 // The framework's steps, for whatever the needs ask it to cache.
 struct CacheSettings {
+    // What computes occlusion: ambient_occlusion for the framework, or scalable_obscurance (Wronski), which
+    // is at full resolution, accumulates by itself and has a filter of its own. Its numbers of samples are
+    // others: 7.
+    std::string_view occlusion = "ambient_occlusion";
     uint32_t ratio = 2;          // step 1: pixels of the frame per coarse texel along an axis, 1, 2 or 4
     uint32_t samples = 4;        // step 3: a texel and frame; 1, 2, 4, 8, 12, 16 or 32
     uint32_t cascades = 3;       // columns of the shadow map, 1 to 4

@@ -36,6 +36,7 @@ TEST_F(SmallPack, mistakesInTheTableAreNamedWithTheirLine) {
               "pack.toml:26: the switch TAPS of the pass copy has no value");
     complains("binding = 16", "scale = 0.0\n  binding = 16", "pack.toml:27: an output has a share");
     complains("TAPS = \"nine\"", "TAPS = [\"nine\"]", "pack.toml:35: this must be a string");
+    complains("binding = 16", "binding = 16\nwidth_scale = 0.0", "pack.toml:30: the scale must be a number");
 }
 
 // Values of one switch are alternatives, several switches all have to be right; an input's scale may be 0.
@@ -56,6 +57,17 @@ TEST_F(SmallPack, inputsExistUnderOneOfSeveralValues) {
             ASSERT_TRUE(reprise::setSwitch(*variant, "FINE", fine));
             EXPECT_EQ(reprise::exists(*variant, input), taps != "one" && fine == "on") << taps << " " << fine;
         }
+}
+
+TEST_F(SmallPack, widthHasAScaleOfItsOwn) {
+    std::string text = smallTable;
+    text.replace(text.find("binding = 16"), 12, "binding = 16\nscale = 0.5\nwidth_scale = 1.5");
+    writeText(folder / "pack.toml", text);
+    const auto pack = reprisec::Pack::load(folder / "pack.toml");
+    ASSERT_TRUE(pack) << pack.error().message;
+    EXPECT_EQ(pack->passes()[0].outputs[0].scale, 0.5f);
+    EXPECT_EQ(pack->passes()[0].outputs[0].widthScale, 1.5f);
+    EXPECT_EQ(pack->passes()[0].inputs[0].widthScale, 1.0f);
 }
 
 TEST_F(SmallPack, missingTableIsNamed) {
