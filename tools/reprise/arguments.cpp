@@ -51,13 +51,14 @@ std::vector<std::string> techniqueNames(const reprisec::Pack& pack) {
     std::vector<std::string> names;
     for (const auto& pass : pack.passes())
         if (pass.name != "fullscreen" && hasData(pass)) names.emplace_back(pass.name);
-    names.emplace_back("occlusion");
+    names.insert(names.end(), {"occlusion", "shadow"});
     return names;
 }
 
 std::vector<std::string> chosenTechniques(const std::string& technique, const reprisec::Pack& pack) {
     const auto names = techniqueNames(pack);
     if (technique.empty()) return names;
+    if (technique == "lighting") return {"occlusion", "shadow"}; // and both in one cache
     if (std::find(names.begin(), names.end(), technique) == names.end())
         throw std::runtime_error(
             fmt::format("--technique {} is not known; there are {}", technique, fmt::join(names, ", ")));

@@ -32,11 +32,21 @@ bool looksLikeTheFrameBefore(const scenes::Scene& scene, uint32_t frame) {
     return scene.eventFrame >= 0 ? static_cast<int>(frame) != scene.eventFrame : !objectsMove(scene);
 }
 
+// An event needs frames after it for what it leaves to fade.
+constexpr uint32_t framesAfterEvent = 28;
+
+uint32_t framesOf(const scenes::Scene& scene, const Plan& plan) {
+    return scene.eventFrame < 0
+               ? plan.frames
+               : std::max(plan.frames, static_cast<uint32_t>(scene.eventFrame) + framesAfterEvent);
+}
+
 // Frames that are compared: all where truth is cheap, else the last few.
 std::vector<uint32_t> comparedFrames(const scenes::Scene& scene, const Plan& plan) {
     std::vector<uint32_t> frames;
-    const uint32_t last = plan.frames > plan.truthFrames ? plan.frames - plan.truthFrames : 0;
-    for (uint32_t frame = 0; frame < plan.frames; ++frame)
+    const uint32_t count = framesOf(scene, plan),
+                   last = count > plan.truthFrames ? count - plan.truthFrames : 0;
+    for (uint32_t frame = 0; frame < count; ++frame)
         if (frame >= last || (!scene.cameraMoves && (scene.eventFrame >= 0 || !objectsMove(scene))))
             frames.push_back(frame);
     return frames;
@@ -66,7 +76,7 @@ TrueFrame trueFrame(RayTruth& rays, Cached cached, int frame, PixelGrid grid, co
 
 Truth castTruth(Experiment& e, const scenes::Scene& scene, Cached cached) {
     RayTruth rays(scene);
-    Truth truth(e.plan.frames);
+    Truth truth(framesOf(scene, e.plan));
     const PixelGrid grid{e.plan.errorSize.width, e.plan.errorSize.height};
     for (const uint32_t frame : comparedFrames(scene, e.plan)) {
         const bool same = looksLikeTheFrameBefore(scene, frame) && truth[frame - 1];
@@ -79,39 +89,63 @@ Truth castTruth(Experiment& e, const scenes::Scene& scene, Cached cached) {
 
 // --- Rows
 
-Values channelOf(const std::vector<float>& texels, size_t channel) {
+Values channelOf(const std::vector<float>& texels, size_t channel, uint32_t channels) {
     Values values;
-    for (size_t i = channel; i < texels.size(); i += 2)
+    for (size_t i = channel; i < texels.size(); i += channels)
         values.push_back(texels[i]);
     return values;
 }
 
-// Every frame's channels, of one technique or of both.
-using Channels = std::vector<std::vector<Values>>; // by channel, by frame
+// A row in the making: its recorder, and a channel's values frame by frame.
+struct Run {
+    LightingSpec spec;
+    Stage stage;
+    reprise::FrameRecorder recorder;
+    std::vector<std::vector<Values>> channels; // by technique, by frame
+};
 
-Channels run(Experiment& e, const LightingSpec& spec, const scenes::Scene& scene, Stage stage,
-             std::vector<RenderedFrame>& frames) {
-    auto recorder = makeRecorder(e, needsOf(spec, scene), settingsOf(spec, stage));
-    Channels channels(spec.cached == Cached::both ? 2 : 1);
-    for (uint32_t index = 0; index < frames.size(); ++index) {
+void recordFrame(Experiment& e, Run& run, const reprise::FrameInput& frame) {
+    reprise::FrameInput input = frame;
+    input.cache = run.spec.tuning;
+    reprise::ImageRef lighting;
+    e.gpu.run([&](VkCommandBuffer commands) {
+        auto recorded = run.recorder.record(commands, input);
+        if (!recorded) throw std::runtime_error(recorded.error().message);
+        lighting = recorded->lighting.value();
+    });
+    harness::Image image = borrowed(lighting);
+    const auto texels = e.gpu.downloadFloats(image);
+    for (size_t channel = 0; channel < run.channels.size(); ++channel)
+        run.channels[channel].push_back(channelOf(texels, channel, harness::channelCount(lighting.format)));
+}
+
+std::vector<Run> makeRuns(Experiment& e, const scenes::Scene& scene) {
+    std::vector<Run> runs;
+    for (const Cached cached : cachedOf(e.plan))
+        for (const Stage stage : e.plan.stages)
+            for (const LightingSpec& spec : lightingRows(cached, e.plan.quick))
+                runs.push_back({spec, stage, makeRecorder(e, needsOf(spec, scene), settingsOf(spec, stage)),
+                                std::vector<std::vector<Values>>(measuredBy(spec).size())});
+    return runs;
+}
+
+// Frame by frame, because the renderer has one shadow map.
+void recordFrames(Experiment& e, const scenes::Scene& scene, std::vector<Run>& runs) {
+    scenes::Renderer renderer(e.gpu, scene, e.plan.errorSize.width, e.plan.errorSize.height);
+    for (uint32_t index = 0; index < framesOf(scene, e.plan); ++index) {
+        auto rendered = renderFrames(e.gpu, renderer, index, 1, reprise::JitterSequence::none);
+        const scenes::ShadowMap shadows = renderer.shadowMap(static_cast<int>(index));
         reprise::FrameInput input;
         input.frameIndex = index;
-        input.camera = frames[index].camera;
-        input.depth = frames[index].depth.ref;
-        input.motion = frames[index].motion.ref;
-        input.cache = spec.tuning;
-        reprise::ImageRef lighting;
-        e.gpu.run([&](VkCommandBuffer commands) {
-            auto recorded = recorder.record(commands, input);
-            if (!recorded) throw std::runtime_error(recorded.error().message);
-            lighting = recorded->lighting.value();
-        });
-        harness::Image image = borrowed(lighting);
-        const auto texels = e.gpu.downloadFloats(image);
-        for (size_t channel = 0; channel < channels.size(); ++channel)
-            channels[channel].push_back(channelOf(texels, channel));
+        input.camera = rendered.front().camera;
+        input.depth = rendered.front().depth.ref;
+        input.motion = rendered.front().motion.ref;
+        input.shadowMap = shadows.image->ref;
+        input.cascades = shadows.cascades;
+        for (Run& run : runs)
+            recordFrame(e, run, input);
+        e.progress.step(static_cast<double>(runs.size()), scene.name + ", lighting");
     }
-    return channels;
 }
 
 // Of the pixels that count.
@@ -194,7 +228,7 @@ Row lightingRow(Experiment& e, const LightingSpec& spec, Cached measured, Stage 
                 const std::string& scene) {
     Row row;
     row.technique = cachedName(measured);
-    row.variant = spec.cached == Cached::both ? "both, " + spec.label : spec.label;
+    row.variant = spec.label;
     row.scene = scene;
     row.stage = stageText(stage);
     row.jitter = "none";
@@ -209,13 +243,13 @@ Row lightingRow(Experiment& e, const LightingSpec& spec, Cached measured, Stage 
 }
 
 double lightingWork(const Plan& plan) {
-    if (plan.timingOnly) return 0.0;
+    if (plan.timingOnly || !plan.hasLighting()) return 0.0;
     double work = 0.0;
     for (const scenes::Scene& scene : plan.lightingScenes)
         for (const Cached cached : cachedOf(plan)) {
-            const auto rows =
-                static_cast<double>(lightingRows(cached, plan.quick).size() * plan.stages.size());
-            work += rows * plan.frames;
+            work += static_cast<double>(lightingRows(cached, plan.quick).size() * plan.stages.size()) *
+                    framesOf(scene, plan);
+            if (cached == Cached::both) continue;
             for (const uint32_t frame : comparedFrames(scene, plan))
                 work += looksLikeTheFrameBefore(scene, frame) ? 0.0 : workPerTruth;
         }
@@ -224,24 +258,28 @@ double lightingWork(const Plan& plan) {
 
 void measureLighting(Experiment& e, const scenes::Scene& scene) {
     if (e.plan.timingOnly) return;
-    const std::vector<Cached> measured = cachedOf(e.plan);
-    scenes::Renderer renderer(e.gpu, scene, e.plan.errorSize.width, e.plan.errorSize.height);
-    auto frames = renderFrames(e.gpu, renderer, 0, e.plan.frames, reprise::JitterSequence::none);
-    for (const Cached cached : measured) {
-        const Truth truth = castTruth(e, scene, cached);
-        keepPicture(e.report, scene.name, cachedName(cached) + ", truth",
-                    greyPicture(*truth.back()->values, e.plan.errorSize), e.plan.frames - 1);
-        for (const Stage stage : e.plan.stages)
-            for (const LightingSpec& spec : lightingRows(cached, e.plan.quick)) {
-                const Channels channels = run(e, spec, scene, stage, frames);
-                Row row = lightingRow(e, spec, cached, stage, scene.name);
-                addErrors(row, scene, truth, channels.front());
-                if (isChiefLighting(spec.label) || getenv("ALLPIC"))
-                    keepPicture(e.report, scene.name, cachedName(cached) + ", " + spec.label,
-                                greyPicture(channels.front().back(), e.plan.errorSize), e.plan.frames - 1);
-                e.report.rows.push_back(std::move(row));
-                e.progress.step(e.plan.frames, scene.name + ", " + spec.label);
-            }
+    auto runs = makeRuns(e, scene);
+    recordFrames(e, scene, runs);
+    const uint32_t last = framesOf(scene, e.plan) - 1;
+    for (const Cached measured : {Cached::occlusion, Cached::shadow}) {
+        if (!e.plan.has(cachedName(measured))) continue;
+        const Truth truth = castTruth(e, scene, measured);
+        const auto keep = [&](const std::string& name, const Values& values) {
+            keepPicture(e.report, scene.name, cachedName(measured) + ", " + name,
+                        greyPicture(values, e.plan.errorSize), last);
+        };
+        keep("truth", *truth.back()->values);
+        for (const Run& run : runs) {
+            const auto techniques = measuredBy(run.spec);
+            const auto found = std::ranges::find(techniques, measured);
+            if (found == techniques.end()) continue;
+            const auto& frames = run.channels[static_cast<size_t>(found - techniques.begin())];
+            Row row = lightingRow(e, run.spec, measured, run.stage, scene.name);
+            row.frames = last + 1;
+            addErrors(row, scene, truth, frames);
+            if (isChiefLighting(run.spec.label)) keep(run.spec.label, frames.back());
+            e.report.rows.push_back(std::move(row));
+        }
     }
 }
 

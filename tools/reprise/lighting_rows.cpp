@@ -16,40 +16,81 @@ LightingSpec changed(Cached cached, const std::string& what, const Change& chang
     spec.cached = cached;
     spec.label = what.empty() ? "framework" : "framework + " + what;
     spec.tuning.radius = occlusionRadius;
+    spec.tuning.shadow.radius = shadowRadius;
     change(spec);
     return spec;
 }
 
-// Twelve samples of occlusion without anything but upsampling (Drobot, Table 7.1).
-LightingSpec reference(Cached cached) {
-    LightingSpec spec = changed(cached, "", [](LightingSpec& s) {
-        s.cache.samples = 12;
-        s.cache.history = s.cache.filter = false;
-    });
+// Drobot, Table 7.1: twelve samples of occlusion without anything but upsampling, and 2x2 jittered samples of
+// the shadow map at full resolution.
+void addReferences(std::vector<LightingSpec>& rows, Cached cached) {
+    LightingSpec spec =
+        changed(cached, "", [](LightingSpec& s) { s.cache.history = s.cache.filter = false; });
     spec.label = "reference";
-    return spec;
+    if (cached == Cached::occlusion) {
+        spec.cache.samples = 12;
+        rows.push_back(spec);
+        return;
+    }
+    spec.cache.ratio = 1;
+    spec.tuning.subsets = 1;
+    LightingSpec disc = spec;
+    spec.tuning.shadow.radius = 0.0;
+    spec.tuning.shadow.leastTexels = 1.128; // the area of 2x2 texels
+    rows.push_back(spec);
+    disc.label = "reference, the framework's disc";
+    rows.push_back(disc);
+}
+
+// Wronski: three rotations in turn against as many samples, and against three times as many, without history.
+void addObscurance(std::vector<LightingSpec>& rows) {
+    const auto add = [&](const std::string& what, const Change& change) {
+        LightingSpec spec = changed(Cached::occlusion, "", [](LightingSpec& s) {
+            s.cache.occlusion = "scalable_obscurance";
+            s.cache.samples = 7;
+        });
+        spec.label = what.empty() ? "obscurance" : "obscurance + " + what;
+        change(spec);
+        rows.push_back(spec);
+    };
+    add("", [](LightingSpec&) {});
+    add("history off", [](LightingSpec& s) { s.cache.history = false; });
+    add("history off, samples 21", [](LightingSpec& s) {
+        s.cache.history = false;
+        s.cache.samples = 21;
+    });
+}
+
+// Both in one cache, in either order.
+std::vector<LightingSpec> packedRows() {
+    std::vector<LightingSpec> rows;
+    for (const std::string_view packing : {"occlusion_in_integer", "shadow_in_integer"}) {
+        LightingSpec spec = changed(Cached::both, "", [](LightingSpec&) {});
+        spec.label = fmt::format("packed, {}", packing);
+        spec.cache.packing = packing;
+        rows.push_back(spec);
+    }
+    return rows;
 }
 
 } // namespace
 
 std::string cachedName(Cached cached) {
-    switch (cached) {
-    case Cached::occlusion:
-        return "occlusion";
-    case Cached::shadow:
-        return "shadow";
-    case Cached::both:
-        break;
-    }
-    return "occlusion and shadow";
+    return cached == Cached::shadow ? "shadow" : "occlusion";
+}
+
+std::vector<Cached> measuredBy(const LightingSpec& spec) {
+    if (spec.cached != Cached::both) return {spec.cached};
+    return {Cached::occlusion, Cached::shadow};
 }
 
 std::vector<LightingSpec> lightingRows(Cached cached, bool quick) {
+    if (cached == Cached::both) return packedRows();
     std::vector<LightingSpec> rows;
     const auto add = [&](const std::string& what, const Change& change) {
         rows.push_back(changed(cached, what, change));
     };
-    rows.push_back(reference(cached));
+    addReferences(rows, cached);
     add("", [](LightingSpec&) {});
     add("history off", [](LightingSpec& s) { s.cache.history = false; });
     add("filter off", [](LightingSpec& s) { s.cache.filter = false; });
@@ -66,7 +107,9 @@ std::vector<LightingSpec> lightingRows(Cached cached, bool quick) {
     });
     add("ratio 4", [](LightingSpec& s) { s.cache.ratio = 4; });
     add("filter over time", [](LightingSpec& s) { s.cache.filtersHistory = true; });
+    if (cached == Cached::occlusion) addObscurance(rows);
     if (quick) return rows;
+    add("ratio 1", [](LightingSpec& s) { s.cache.ratio = 1; });
     for (const float weight : {0.5f, 0.8f, 0.9f, 0.98f})
         add(fmt::format("history weight {}", weight), [=](LightingSpec& s) { s.tuning.maxWeight = weight; });
     for (const float step : {0.5f, 2.0f, 3.0f})
@@ -87,13 +130,15 @@ std::vector<LightingSpec> lightingRows(Cached cached, bool quick) {
 
 // On the terminal, and in pictures.
 bool isChiefLighting(const std::string& variant) {
-    return variant == "reference" || variant == "framework" || variant == "framework + history off";
+    return variant == "reference" || variant == "framework" || variant == "framework + history off" ||
+           variant == "packed, occlusion_in_integer" || variant == "obscurance";
 }
 
 std::vector<Cached> cachedOf(const Plan& plan) {
     std::vector<Cached> result;
-    for (const Cached cached : {Cached::occlusion})
+    for (const Cached cached : {Cached::occlusion, Cached::shadow})
         if (plan.has(cachedName(cached))) result.push_back(cached);
+    if (result.size() == 2) result.push_back(Cached::both);
     return result;
 }
 

@@ -11,7 +11,7 @@ namespace report {
 
 enum class Cached { occlusion, shadow, both };
 std::vector<Cached> cachedOf(const Plan& plan); // those of its techniques
-std::string cachedName(Cached cached); // the rows' technique: "occlusion", "shadow", "occlusion and shadow"
+std::string cachedName(Cached cached);          // the rows' technique: "occlusion" or "shadow"
 
 struct LightingSpec {
     Cached cached = Cached::occlusion;
@@ -25,12 +25,15 @@ bool isChiefLighting(const std::string& variant);
 
 // Metres, of what occludes: of the rows and of their ground truth.
 inline constexpr float occlusionRadius = 1.0f;
-// Radians, of the sun's disc: three times the real one's, a hazy day's, so that halls of metres have penumbrae.
-inline constexpr double sunDiscRadians = 0.014;
+// Radians, of the sun's disc: four times the real one's, a hazy day's, so that a hall has penumbrae; and
+// metres, of the disc of the shadow map that stands for it, which is the sun's at five metres.
+inline constexpr double sunDiscRadians = 0.02, shadowRadius = 0.1;
 
-// The framework as it is by default, the document's reference, and each step changed or left out. quick:
-// those that claims need.
+// The framework as it is by default, the documents' references, and each step changed or left out; of both,
+// the packed forms. quick: those that claims need.
 std::vector<LightingSpec> lightingRows(Cached cached, bool quick);
+// The techniques whose errors a spec has, a row each.
+std::vector<Cached> measuredBy(const LightingSpec& spec);
 bool objectsMove(const scenes::Scene& scene);
 // What the runtime is asked for.
 reprise::SceneNeeds needsOf(const LightingSpec& spec, const scenes::Scene& scene);

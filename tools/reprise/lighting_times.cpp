@@ -26,7 +26,9 @@ template <class T> T orThrow(reprise::Result<T> result) {
 
 // Two frames that take turns, so that history is reprojected. They are kept for as long as sections run.
 struct TimedInput {
+    std::unique_ptr<scenes::Renderer> renderer; // its shadow map is that of the last frame
     std::vector<RenderedFrame> rendered;
+    scenes::ShadowMap shadows;
     std::array<reprise::FrameInput, 2> frames;
     Size size;
 };
@@ -142,24 +144,28 @@ std::vector<std::byte> parametersOf(const PlannedPass& pass, const reprise::Fram
 // Sections for the frame as the recorder records it, and for each pass alone. label: unique.
 TimedPlan addPlan(Experiment& e, Stopwatch& watch, const std::string& label, const reprise::SceneNeeds& needs,
                   const reprise::Settings& settings, const std::shared_ptr<TimedInput>& input,
-                  bool withPasses) {
+                  const reprise::CacheTuning& tuning, bool withPasses) {
     auto recorder = std::make_shared<reprise::FrameRecorder>(orThrow(reprise::FrameRecorder::create(
         e.gpu.device(), e.shaders.pack().passes(), e.shaders.source(),
         {.needs = needs, .settings = settings, .extent = {input->size.width, input->size.height}})));
     TimedPlan timed{label, {}, recorder->plan()};
     auto index = std::make_shared<uint64_t>(0);
-    watch.addSection(label, [recorder, index, input](VkCommandBuffer commands) {
+    watch.addSection(label, [recorder, index, input, tuning](VkCommandBuffer commands) {
         reprise::FrameInput frame = input->frames[*index % 2];
+        frame.cache = tuning;
         frame.frameIndex = (*index)++;
         auto recorded = recorder->record(commands, frame);
         if (!recorded) throw std::runtime_error(recorded.error().message);
     });
     if (!withPasses) return timed;
     const auto images = makeImages(e.gpu, timed.plan, input->frames[1]);
+    TimedInput own{nullptr, {}, {}, input->frames, input->size};
+    for (reprise::FrameInput& frame : own.frames)
+        frame.cache = tuning;
     for (const PlannedPass& pass : timed.plan.passes) {
         const std::string run = pass.run.empty() ? "" : ", " + std::string(pass.run);
         timed.passes.push_back(fmt::format("{}: {}{}", label, pass.variant.pass->name, run));
-        addPass(e, watch, timed.passes.back(), pass, images, parametersOf(pass, timed.plan, needs, *input));
+        addPass(e, watch, timed.passes.back(), pass, images, parametersOf(pass, timed.plan, needs, own));
     }
     return timed;
 }
@@ -169,13 +175,16 @@ constexpr uint32_t timedFrame = 8;
 std::shared_ptr<TimedInput> renderInput(Experiment& e, const scenes::Scene& scene) {
     auto input = std::make_shared<TimedInput>();
     input->size = e.plan.timingSize;
-    scenes::Renderer renderer(e.gpu, scene, input->size.width, input->size.height);
-    input->rendered = renderFrames(e.gpu, renderer, timedFrame - 1, 2, reprise::JitterSequence::none);
+    input->renderer = std::make_unique<scenes::Renderer>(e.gpu, scene, input->size.width, input->size.height);
+    input->rendered = renderFrames(e.gpu, *input->renderer, timedFrame - 1, 2, reprise::JitterSequence::none);
+    input->shadows = input->renderer->shadowMap(timedFrame);
     for (size_t i = 0; i < 2; ++i) {
         RenderedFrame& frame = input->rendered[i];
         input->frames[i].camera = frame.camera;
         input->frames[i].depth = frame.depth.ref;
         input->frames[i].motion = frame.motion.ref;
+        input->frames[i].shadowMap = input->shadows.image->ref;
+        input->frames[i].cascades = input->shadows.cascades;
     }
     return input;
 }
@@ -251,11 +260,9 @@ std::vector<TimedLighting> addLighting(Experiment& e, Stopwatch& watch) {
                 for (const LightingSpec& spec : lightingRows(cached, e.plan.quick)) {
                     const std::string label = fmt::format("{}, {}, {}, {}", cachedName(cached), spec.label,
                                                           scene.name, stageText(stage));
-                    // Each pass alone where the document has it: a camera that moves, on its own and on the
-                    // first.
                     all.push_back({spec, stage, index,
                                    addPlan(e, watch, label, needsOf(spec, scene), settingsOf(spec, stage),
-                                           input, isChiefLighting(spec.label))});
+                                           input, spec.tuning, isChiefLighting(spec.label))});
                 }
     }
     return all;
@@ -264,14 +271,16 @@ std::vector<TimedLighting> addLighting(Experiment& e, Stopwatch& watch) {
 void fillLighting(Experiment& e, const Stopwatch& watch, const std::vector<TimedLighting>& timed) {
     for (const TimedLighting& each : timed) {
         const scenes::Scene& scene = e.plan.lightingScenes[each.scene];
-        if (e.plan.timingOnly)
-            e.report.rows.push_back(lightingRow(e, each.spec, each.spec.cached, each.stage, scene.name));
-        for (const scenes::Scene& other : e.plan.lightingScenes)
-            for (Row& row : e.report.rows)
-                if (kindOf(other) == kindOf(scene) && row.scene == other.name &&
-                    row.technique == cachedName(each.spec.cached) && row.variant == each.spec.label &&
-                    row.stage == stageText(each.stage))
-                    fill(row, e, watch, each);
+        for (const Cached measured : measuredBy(each.spec)) {
+            if (e.plan.timingOnly)
+                e.report.rows.push_back(lightingRow(e, each.spec, measured, each.stage, scene.name));
+            for (const scenes::Scene& other : e.plan.lightingScenes)
+                for (Row& row : e.report.rows)
+                    if (kindOf(other) == kindOf(scene) && row.scene == other.name &&
+                        row.technique == cachedName(measured) && row.variant == each.spec.label &&
+                        row.stage == stageText(each.stage))
+                        fill(row, e, watch, each);
+        }
         for (size_t pass = 0; pass < each.timed.passes.size(); ++pass)
             e.report.rows.push_back(passRow(e, watch, each, pass));
     }
