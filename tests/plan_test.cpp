@@ -302,7 +302,7 @@ TEST(Plan, occlusionAndShadowsShareACache) {
               (Names{"depth_downsample", "ambient_occlusion", "sun_shadow", "reprojection_cache",
                      "bilateral_filter", "bilateral_filter", "bilateral_upsample"}));
     for (const char* pass : {"sun_shadow", "reprojection_cache", "bilateral_filter", "bilateral_upsample"})
-        EXPECT_EQ(switchOf(plan, pass, "VALUES"), "occlusion_in_integer") << pass;
+        EXPECT_EQ(switchOf(plan, pass, "VALUES"), "shadow_in_integer") << pass;
     const FramePlan shadows =
         planned({.antiAliasing = false, .objectsMove = false, .sunShadows = true, .reversedShadows = true},
                 {.cache = {.cascades = 2}});

@@ -22,8 +22,9 @@ BINDING(0) cbuffer BilateralFilterParameters {
     float4 gOutputSize;      // width, height, 1 / width, 1 / height
     float2 gDirection;       // (1, 0) or (0, 1)
     float2 gDepthAmplitude;  // of depth differences: 1 / metres, and per share of the depth
-    float gConverged;        // frames from which on the filter is the listing's
+    float gConverged;        // frames from which on the history is converged
     float gMaxSmoothing;     // times the listing's weight of the neighbours, 1 to 16, without history
+    float gMinSmoothing;     // the same with a converged history, 0 to 1: 1 is the listing, 0 no filter
 };
 
 #if VALUES_ONE && TAPS_LINEAR
@@ -65,7 +66,7 @@ float3 tapOf(float4 texel) {
 
 // Stronger where the history is short, and depth compared by the metre and by the share of the distance.
 float smoothingOf(float4 centre) {
-    return smoothingOfConvergence(centre.b, gConverged, gMaxSmoothing);
+    return smoothingOfConvergence(centre.b, gConverged, gMaxSmoothing) - 1.0 + gMinSmoothing;
 }
 
 float amplitudeOf(float4 centre) {

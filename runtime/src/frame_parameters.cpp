@@ -120,6 +120,7 @@ BilateralFilterParameters filterParameters(std::string_view run, const FrameInpu
     store(p.gDepthAmplitude, tuning.depthAmplitude);
     p.gConverged = tuning.converged;
     p.gMaxSmoothing = tuning.maxSmoothing;
+    p.gMinSmoothing = tuning.minSmoothing;
     return p;
 }
 

@@ -13,7 +13,7 @@ struct FilterPass {
     bool linear = true; // taps between texels
     ivec2 direction{1, 0};
     dvec2 depthAmplitude{1.0, 4.0};
-    double converged = 8.0, maxSmoothing = 4.0;
+    double converged = 8.0, maxSmoothing = 4.0, minSmoothing = 0.7;
     const Image* cache = nullptr; // value or packed pair, 0, frames, depth
 };
 
@@ -35,7 +35,7 @@ inline dvec2 filteredValues(const FilterPass& pass, const Image& unpacked, int x
                             const std::vector<dvec2>& away = {}) {
     const dvec4 centre = unpacked.at(x, y);
     const double missing = 1.0 - std::clamp(held(centre.z, 0.0, 255.0) / pass.converged, 0.0, 1.0);
-    const double smoothing = 1.0 + (pass.maxSmoothing - 1.0) * missing;
+    const double smoothing = pass.minSmoothing + (pass.maxSmoothing - 1.0) * missing;
     const double amplitude = pass.depthAmplitude.x + pass.depthAmplitude.y / held(centre.w, 1e-3, skyDepth);
     std::vector<BilateralTap> taps;
     for (const auto& [offset, weight] : pass.linear ? linearFootprint() : pointFootprint()) {

@@ -118,6 +118,7 @@ BilateralFilterCase bilateralFilterCase(const Variant& variant, int width, int h
                        .gDepthAmplitude = {1.0f, 4.0f},
                        .gConverged = 8.0f,
                        .gMaxSmoothing = 4.0f,
+                       .gMinSmoothing = 0.7f,
                        .pad0 = {}};
     return made;
 }

@@ -64,7 +64,7 @@ void addObscurance(std::vector<LightingSpec>& rows) {
 // Both in one cache, in either order.
 std::vector<LightingSpec> packedRows() {
     std::vector<LightingSpec> rows;
-    for (const std::string_view packing : {"occlusion_in_integer", "shadow_in_integer"}) {
+    for (const std::string_view packing : {"shadow_in_integer", "occlusion_in_integer"}) {
         LightingSpec spec = changed(Cached::both, "", [](LightingSpec&) {});
         spec.label = fmt::format("packed, {}", packing);
         spec.cache.packing = packing;
@@ -131,7 +131,7 @@ std::vector<LightingSpec> lightingRows(Cached cached, bool quick) {
 // On the terminal, and in pictures.
 bool isChiefLighting(const std::string& variant) {
     return variant == "reference" || variant == "framework" || variant == "framework + history off" ||
-           variant == "packed, occlusion_in_integer" || variant == "obscurance";
+           variant == "packed, shadow_in_integer" || variant == "obscurance";
 }
 
 std::vector<Cached> cachedOf(const Plan& plan) {

@@ -26,8 +26,8 @@ bool isChiefLighting(const std::string& variant);
 // Metres, of what occludes: of the rows and of their ground truth.
 inline constexpr float occlusionRadius = 1.0f;
 // Radians, of the sun's disc: four times the real one's, a hazy day's, so that a hall has penumbrae; and
-// metres, of the disc of the shadow map that stands for it, which is the sun's at five metres.
-inline constexpr double sunDiscRadians = 0.02, shadowRadius = 0.1;
+// metres, of the disc of the shadow map that stands for it, which is the sun's at two and a half metres.
+inline constexpr double sunDiscRadians = 0.02, shadowRadius = 0.05;
 
 // The framework as it is by default, the documents' references, and each step changed or left out; of both,
 // the packed forms. quick: those that claims need.

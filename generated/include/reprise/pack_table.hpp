@@ -198,7 +198,8 @@ struct alignas(16) BilateralFilterParameters {
     float gDepthAmplitude[2];   // float2
     float gConverged;
     float gMaxSmoothing;
-    float pad0[2];
+    float gMinSmoothing;
+    float pad0[1];
 };
 static_assert(sizeof(BilateralFilterParameters) == 48);
 static_assert(offsetof(BilateralFilterParameters, gOutputSize) == 0);
@@ -206,6 +207,7 @@ static_assert(offsetof(BilateralFilterParameters, gDirection) == 16);
 static_assert(offsetof(BilateralFilterParameters, gDepthAmplitude) == 24);
 static_assert(offsetof(BilateralFilterParameters, gConverged) == 32);
 static_assert(offsetof(BilateralFilterParameters, gMaxSmoothing) == 36);
+static_assert(offsetof(BilateralFilterParameters, gMinSmoothing) == 40);
 namespace bindings::bilateral_filter {
 inline constexpr uint32_t BilateralFilterParameters = 0;
 inline constexpr uint32_t gInCache = 1;

@@ -44,19 +44,20 @@ struct ObscuranceTuning {
 
 // Of the framework; docs/ambient_occlusion.md says what each does.
 struct CacheTuning {
-    float radius = 1.0f;                   // metres, of what occludes
-    glm::vec2 bias{0.02f, 0.002f};         // of occlusion, metres and metres a metre of depth
-    uint32_t subsets = 8;                  // frames after which the sample patterns repeat, 1 to 16
-    glm::vec2 missThreshold{0.05f, 0.03f}; // metres and metres a metre of depth: another surface
-    float convergenceTime = 2.0f;          // confidence of equal depths
-    float maxWeight = 0.95f;               // most weight of history, [0, 1)
-    glm::vec2 speedPx{32.0f, 128.0f};      // coarse texels a frame: history fades, history has no weight
-    glm::vec2 change{1.2f, 0.05f};         // deviations and difference that history may differ by
-    glm::vec2 depthAmplitude{0.0f, 60.0f}; // of the filter, 1 / metres and 1 / share of the depth
-    float converged = 16.0f;               // frames from which on the filter is the document's
-    float maxSmoothing = 8.0f;             // of its neighbours' weight without history, 1 to 16
-    float filterStep = 1.0f;               // texels between the filter's texels: 1 reaches four, 2 eight
-    float normalContrast = 8.0f;           // of upsampling by normals: exponent of the cosine
+    float radius = 1.0f;                    // metres, of what occludes
+    glm::vec2 bias{0.005f, 0.0005f};        // of occlusion, metres and metres a metre of depth
+    uint32_t subsets = 8;                   // frames after which the sample patterns repeat, 1 to 16
+    glm::vec2 missThreshold{0.05f, 0.03f};  // metres and metres a metre of depth: another surface
+    float convergenceTime = 2.0f;           // confidence of equal depths
+    float maxWeight = 0.95f;                // most weight of history, [0, 1)
+    glm::vec2 speedPx{32.0f, 128.0f};       // coarse texels a frame: history fades, history has no weight
+    glm::vec2 change{1.0f, 0.05f};          // deviations and difference that history may differ by
+    glm::vec2 depthAmplitude{0.0f, 120.0f}; // of the filter, 1 / metres and 1 / share of the depth
+    float converged = 4.0f;                 // frames from which on the filter is the document's
+    float maxSmoothing = 4.0f;              // of its neighbours' weight without history, 1 to 16
+    float minSmoothing = 0.05f; // the same with a converged history, 0 to 1: 1 is the document's, 0 no filter
+    float filterStep = 1.0f;    // texels between the filter's texels: 1 reaches four, 2 eight
+    float normalContrast = 8.0f; // of upsampling by normals: exponent of the cosine
     SunShadowTuning shadow;
     ObscuranceTuning obscurance;
 };

@@ -38,7 +38,7 @@ struct CacheSettings {
     bool detectsChanges = true;  // history gives way where the values of this frame do not bear it out
     bool filter = true;          // step 6
     bool filtersHistory = false; // step 8 after the filter: filtering over time
-    std::string_view packing = "occlusion_in_integer"; // of occlusion and shadow; or shadow_in_integer
+    std::string_view packing = "shadow_in_integer"; // of occlusion and shadow; or occlusion_in_integer
 };
 
 struct Settings {
