@@ -314,7 +314,7 @@ TEST(Arguments, unknownNamesListTheKnownOnes) {
     EXPECT_NE(std::string::npos,
               messageOf([] {
                   renderCommand(
-                      {.scene = "hall_static", .size = "4x4", .show = "depth", .out = "unused.png"});
+                      {.scene = "hall_static", .size = "4x4", .device = "", .show = "depth", .out = "unused.png"});
               }).find("colour, occlusion, sun"));
     EXPECT_NE(std::string::npos, messageOf([] { parseStages("pixel"); }).find("fragment, compute, both"));
     ReportOptions options;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the documents claim, held against the rows. A claim that the rows contradict says so.
-#include "experiment.hpp"
+#include "lighting_claims.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -295,6 +295,7 @@ std::vector<Claim> judgeClaims(const Report& report, const Plan& plan) {
                 "times a copy", &Row::perCopy, 2.1, false, "compute"}));
     claims.push_back(efficiency(judge));
     claims.push_back(formsAgree(judge));
+    std::ranges::move(judgeLighting(report, plan), std::back_inserter(claims));
     for (Claim& claim : claims)
         if (claim.published && claim.published->empty()) claim.published.reset();
     return claims;

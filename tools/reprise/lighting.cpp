@@ -24,6 +24,7 @@ using Values = std::vector<float>;
 struct TrueFrame {
     std::shared_ptr<const Values> values;
     std::shared_ptr<const std::vector<uint8_t>> counts; // pixels that are compared
+    std::shared_ptr<const Values> depth;                // linear, metres
 };
 
 // A scene that stands still but for its event changes there alone.
@@ -71,6 +72,7 @@ TrueFrame trueFrame(RayTruth& rays, Cached cached, int frame, PixelGrid grid, co
         made.values = std::make_shared<Values>(std::move(sun.visibility));
     }
     made.counts = std::make_shared<std::vector<uint8_t>>(std::move(counts));
+    made.depth = std::make_shared<Values>(depth);
     return made;
 }
 
@@ -163,16 +165,19 @@ std::vector<uint8_t> shared(const std::vector<uint8_t>& a, const std::vector<uin
 }
 
 // Frames until what the event changed has come to within a tenth of where it ends, in the mean over the
-// pixels whose truth changed by more than a tenth; nothing where nothing did.
+// pixels whose truth changed by more than a tenth, of those whose depth changed too or of the others; nothing
+// where there are none.
 std::optional<double> trailingFrames(const scenes::Scene& scene, const Truth& truth,
-                                     const std::vector<Values>& frames) {
+                                     const std::vector<Values>& frames, bool depthChanges) {
     const auto event = static_cast<size_t>(scene.eventFrame);
     if (scene.eventFrame < 1 || event + 1 >= frames.size() || !truth[event - 1] || !truth[event]) return {};
     const Values &before = *truth[event - 1]->values, &after = *truth[event]->values;
+    const Values &near = *truth[event - 1]->depth, &far = *truth[event]->depth;
     double start = 0.0;
     std::vector<double> left(frames.size() - event);
     for (size_t i = 0; i < before.size(); ++i) {
         if (!(*truth[event]->counts)[i] || std::abs(after[i] - before[i]) <= 0.1f) continue;
+        if ((std::abs(far[i] - near[i]) > 0.01f * far[i]) != depthChanges) continue;
         const double sign = after[i] > before[i] ? 1.0 : -1.0, end = frames.back()[i];
         start += sign * (end - double(frames[event - 1][i]));
         for (size_t k = 0; k < left.size(); ++k)
@@ -211,7 +216,8 @@ void addErrors(Row& row, const scenes::Scene& scene, const Truth& truth, const s
     row.error.rmse = sum / static_cast<double>(count);
     row.error.max = largest;
     row.error.flicker = flicker.value();
-    row.trailingFrames = trailingFrames(scene, truth, frames);
+    row.trailingFrames = trailingFrames(scene, truth, frames, false);
+    row.rejectedFrames = trailingFrames(scene, truth, frames, true);
 }
 
 // Visibility as grey: the eye sees it as evenly as the numbers run.

@@ -71,6 +71,7 @@ Json rowJson(const Row& row) {
     json["passes"] = std::move(passes);
     json["memory_bytes"] = orNull(row.memoryBytes);
     json["trailing_frames"] = orNull(row.trailingFrames);
+    json["rejected_frames"] = orNull(row.rejectedFrames);
     json["reads_per_pixel"] = orNull(row.readsPerPixel);
     json["error"] = {{"flip", orNull(row.error.flip)},
                      {"rmse", orNull(row.error.rmse)},

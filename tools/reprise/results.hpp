@@ -50,7 +50,8 @@ struct Row {
     std::vector<PassTime> passes;
     std::optional<uint64_t> memoryBytes;
     std::optional<double> readsPerPixel;
-    std::optional<double> trailingFrames; // of lighting, after an occluder has gone
+    // Of lighting, after an occluder has gone: where the depth seen stays as it was, and where it changes.
+    std::optional<double> trailingFrames, rejectedFrames;
     Errors error;
     uint64_t notFinite = 0; // NaN or infinite values in the output; the errors are null then
     std::string errorUnit;  // "display" or "pixels"

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the documents claim of the framework and of temporal supersampling of occlusion, held against the
+// rows.
+#include "lighting_claims.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace report {
+namespace {
+
+constexpr const char *framework = "framework", *withoutHistory = "framework + history off",
+                     *reference = "reference", *packed = "packed, shadow_in_integer",
+                     *obscurance = "obscurance";
+
+class Judge {
+public:
+    Judge(const Report& report, const Plan& plan) : report_(report), plan_(plan) {}
+
+    const Row* row(std::string_view technique, std::string_view variant, std::string_view scene,
+                   std::string_view stage) const {
+        for (const Row& r : report_.rows)
+            if (r.technique == technique && r.variant == variant && r.scene == scene && r.stage == stage)
+                return &r;
+        return nullptr;
+    }
+    const Row* row(std::string_view technique, std::string_view variant, std::string_view scene) const {
+        return row(technique, variant, scene, stage());
+    }
+    std::string stage() const { return stageText(plan_.stages.front()); }
+    const Plan& plan() const { return plan_; }
+    bool onCpu() const { return report_.device.value("type", "") == "cpu"; }
+
+    // The hall's slow pan, or the first scene of the user's.
+    std::string panned() const {
+        const auto& scenes = plan_.lightingScenes;
+        const auto found = std::ranges::find(scenes, "hall_slow_pan", &scenes::Scene::name);
+        return found == scenes.end() ? scenes.front().name : found->name;
+    }
+
+private:
+    const Report& report_;
+    const Plan& plan_;
+};
+
+Json stagesOf(const Row& row) {
+    Json stages;
+    for (const PassTime& pass : row.passes)
+        stages[pass.name] = pass.gpuMs;
+    return stages;
+}
+
+// Drobot, Table 7.1: both in one cache against twelve samples of occlusion, upsampled, and 2x2 jittered
+// samples of the shadow map at full resolution.
+Claim table71(const Judge& judge) {
+    Claim claim{
+        "D11",
+        "Drobot",
+        "The framework is at least 2.5 times faster than the reference of Table 7.1, with lower RMSE of "
+        "occlusion and of shadow",
+        "3.27 ms against 8.4 ms, 2.57 times, \"better image quality\"",
+        nullptr,
+        {}};
+    const std::string scene = judge.panned();
+    const Row *occlusion = judge.row("occlusion", packed, scene),
+              *shadow = judge.row("shadow", packed, scene),
+              *occlusionReference = judge.row("occlusion", reference, scene),
+              *shadowReference = judge.row("shadow", reference, scene);
+    for (const Row* each : {occlusion, shadow, occlusionReference, shadowReference})
+        if (!each || !each->gpu) return claim;
+    const double ours = occlusion->gpu->min,
+                 theirs = occlusionReference->gpu->min + shadowReference->gpu->min;
+    claim.measured = {{"scene", scene},
+                      {"stage", judge.stage()},
+                      {"framework, ms", ours},
+                      {"reference, ms", theirs},
+                      {"times faster", theirs / ours},
+                      {"stages of the framework, ms", stagesOf(*occlusion)},
+                      {"stages of the reference's occlusion, ms", stagesOf(*occlusionReference)},
+                      {"stages of the reference's shadow, ms", stagesOf(*shadowReference)}};
+    claim.holds = theirs / ours >= 2.5;
+    if (!occlusion->error.rmse || !shadow->error.rmse || !occlusionReference->error.rmse ||
+        !shadowReference->error.rmse)
+        return claim;
+    claim.measured["RMSE of occlusion"] = *occlusion->error.rmse;
+    claim.measured["RMSE of the reference's occlusion"] = *occlusionReference->error.rmse;
+    claim.measured["RMSE of shadow"] = *shadow->error.rmse;
+    claim.measured["RMSE of the reference's shadow"] = *shadowReference->error.rmse;
+    claim.holds = *claim.holds && *occlusion->error.rmse < *occlusionReference->error.rmse &&
+                  *shadow->error.rmse < *shadowReference->error.rmse;
+    return claim;
+}
+
+// `with` errs less than `without` on every scene that moves, or on all.
+Claim errsLess(const Judge& judge, Claim claim, std::span<const std::string_view> techniques,
+               std::string_view with, std::string_view without) {
+    std::vector<std::string> lost;
+    size_t compared = 0;
+    double worst = 0.0;
+    for (const scenes::Scene& scene : judge.plan().lightingScenes)
+        for (const std::string_view technique : techniques) {
+            const Row *a = judge.row(technique, with, scene.name),
+                      *b = judge.row(technique, without, scene.name);
+            if (!a || !b || !a->error.rmse || !b->error.rmse) continue;
+            ++compared;
+            worst = std::max(worst, *a->error.rmse / *b->error.rmse);
+            if (*a->error.rmse >= *b->error.rmse)
+                lost.push_back(fmt::format("{}, {}", technique, scene.name));
+        }
+    if (compared == 0) return claim;
+    claim.measured = {{"compared", compared}, {"largest ratio of RMSE", worst}, {"stage", judge.stage()}};
+    if (!lost.empty()) claim.measured["not on"] = fmt::format("{}", fmt::join(lost, "; "));
+    claim.holds = lost.empty();
+    return claim;
+}
+
+Claim trailing(const Judge& judge) {
+    Claim claim{
+        "trailing",
+        "Drobot",
+        "After an occluder has gone what it darkened is within a tenth of its end in at most 3 frames",
+        {},
+        nullptr,
+        {}};
+    double most = -1.0;
+    for (const scenes::Scene& scene : judge.plan().lightingScenes)
+        for (const std::string_view technique : {"occlusion", "shadow"})
+            for (const std::string_view variant :
+                 {std::string_view(framework), std::string_view(packed),
+                  std::string_view("framework + change_detection off"), std::string_view(obscurance)}) {
+                const Row* row = judge.row(technique, variant, scene.name);
+                if (!row || !row->trailingFrames) continue;
+                claim.measured[fmt::format("{}, {}, frames", technique, variant)] = *row->trailingFrames;
+                if (row->rejectedFrames)
+                    claim.measured[fmt::format("{}, {}, where depth changes", technique, variant)] =
+                        *row->rejectedFrames;
+                if (variant == framework || variant == packed) most = std::max(most, *row->trailingFrames);
+            }
+    if (most >= 0.0) claim.holds = most <= 3.0;
+    return claim;
+}
+
+// A bound on a plan's time, stated for one kind of device and one form.
+struct Bar {
+    std::string id, claim, technique, variant;
+    std::optional<double> Row::*figure;
+    double most;
+    bool forCpu;
+};
+
+Claim within(const Judge& judge, const Bar& bar) {
+    Claim claim{bar.id, "Reprise", bar.claim, {}, nullptr, {}};
+    if (judge.onCpu() != bar.forCpu) {
+        claim.measured = {{"not applicable", bar.forCpu ? "needs a CPU driver" : "needs a GPU"}};
+        return claim;
+    }
+    const Row* row =
+        judge.row(bar.technique, bar.variant, judge.panned(), bar.forCpu ? "fragment" : "compute");
+    if (!row || !(row->*bar.figure)) return claim;
+    claim.measured = {{bar.forCpu ? "times nine taps" : "times a copy", *(row->*bar.figure)},
+                      {"bound", bar.most},
+                      {"size", fmt::format("{}x{}", row->width, row->height)}};
+    claim.holds = *(row->*bar.figure) <= bar.most;
+    return claim;
+}
+
+// Wronski: "effective sample count increase" of three rotations.
+Claim rotations(const Judge& judge) {
+    Claim claim{"W2",
+                "Wronski",
+                "On a still image three rotations in turn err at most 5 % more than three times the samples",
+                "3x more samples",
+                nullptr,
+                {}};
+    const Row *turned = judge.row("occlusion", obscurance, "hall_static"),
+              *many = judge.row("occlusion", "obscurance + history off, samples 21", "hall_static");
+    if (!turned || !many || !turned->error.rmse || !many->error.rmse) return claim;
+    claim.measured = {{"three rotations of 7 samples", *turned->error.rmse},
+                      {"21 samples", *many->error.rmse},
+                      {"measure", "RMSE against rays, blurred both"}};
+    claim.holds = *turned->error.rmse <= 1.05 * *many->error.rmse;
+    return claim;
+}
+
+} // namespace
+
+std::vector<Claim> judgeLighting(const Report& report, const Plan& plan) {
+    if (!plan.hasLighting() || plan.lightingScenes.empty()) return {};
+    const Judge judge(report, plan);
+    const std::string_view both[] = {"occlusion", "shadow"}, occlusion[] = {"occlusion"};
+    std::vector<Claim> claims{table71(judge)};
+    claims.push_back(errsLess(
+        judge,
+        {"D7", "Drobot", "History lowers the error of the same samples on every scene", {}, nullptr, {}},
+        both, framework, withoutHistory));
+    claims.push_back(trailing(judge));
+    claims.push_back(rotations(judge));
+    claims.push_back(errsLess(judge,
+                              {"W5",
+                               "Wronski",
+                               "Temporal supersampling lowers the error of the same samples on every scene",
+                               "smoother and more stable, in motion too",
+                               nullptr,
+                               {}},
+                              occlusion, obscurance, "obscurance + history off"));
+    claims.push_back(within(
+        judge,
+        {"cost, nine taps",
+         "Occlusion by the framework takes at most 2.5 times nine point taps (a CPU driver, fragment form)",
+         "occlusion", framework, &Row::perNineTaps, 2.5, true}));
+    claims.push_back(
+        within(judge, {"cost, copy",
+                       "Occlusion by the framework takes at most 3.2 times a copy (a GPU, compute form)",
+                       "occlusion", framework, &Row::perCopy, 3.2, false}));
+    claims.push_back(within(
+        judge, {"cost, both",
+                "Occlusion and shadow in one cache take at most 4.5 times a copy (a GPU, compute form)",
+                "occlusion", packed, &Row::perCopy, 4.5, false}));
+    return claims;
+}
+
+} // namespace report
