@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -431,6 +432,29 @@ TEST(PlanCommand, comparesASceneWithEverythingOn) {
     const PlanCost allCost = costOf(shaders, all, {64, 64}), sceneCost = costOf(shaders, scene, {64, 64});
     EXPECT_GT(allCost.readsPerPixel, sceneCost.readsPerPixel + 6) << "6 of upsampling and motion alone";
     EXPECT_GT(allCost.spirvBytes, 2 * sceneCost.spirvBytes);
+}
+
+// The table of docs/runtime.md, row by row.
+TEST(PlanCommand, savesWhatThePageSays) {
+    Shaders shaders(findAssets());
+    const std::string page = contents("docs/runtime.md");
+    const auto expectRow = [&](const char* name, const reprise::FramePlan& plan) {
+        const PlanCost cost = costOf(shaders, plan, parseSize(PlanOptions{}.size));
+        const std::string row = fmt::format("| {} | {} | {:.1f} | {:.1f} | {:.1f} |\n", name,
+                                            plan.passes.size(), double(plan.bytes) / (1024 * 1024),
+                                            double(cost.spirvBytes) / 1024, cost.readsPerPixel);
+        EXPECT_NE(std::string::npos, page.find(row)) << row;
+    };
+    PlanOptions still, rigid, occlusion, both;
+    still.needs.objectsMove = rigid.needs.objectsMove = both.needs.objectsMove = false;
+    still.needs.cameraMoves = still.needs.hdr = rigid.needs.hdr = false;
+    occlusion.needs.ambientOcclusion = both.needs.ambientOcclusion = both.needs.sunShadows = true;
+    const auto planned = [&](const PlanOptions& options) { return planFor(shaders, options.needs, options); };
+    expectRow("everything on", planOfEverything(shaders, {}));
+    expectRow("`--ambient-occlusion --sun-shadows --static-objects`", planned(both));
+    expectRow("`--ambient-occlusion`", planned(occlusion));
+    expectRow("`--static-objects --no-hdr`", planned(rigid));
+    expectRow("`--static-camera --static-objects --no-hdr`", planned(still));
 }
 
 std::string printedPlan(const std::string& options) {
