@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include <sys/wait.h>
 
@@ -191,6 +192,25 @@ TEST_F(Needs, selectWhatTheFrameworkCaches) {
                                          "\"bilateral_filter.TAPS\" = \"point\"\n");
     EXPECT_TRUE(has(value, "bilateral_filter--taps-point")) << value.text;
     EXPECT_EQ(value.text.find("ambient_occlusion"), std::string::npos) << value.text;
+}
+
+// Lighting before shading, which makes the motion, and anti-aliasing after it: docs/runtime.md, "Where in the
+// frame".
+TEST_F(Needs, theirSumHasTheModulesOfTwoRecorders) {
+    const auto lines = [&](const std::string& needs) {
+        const Outcome outcome = listed("[needs]\n" + needs);
+        EXPECT_EQ(outcome.code, 0) << outcome.text;
+        std::istringstream stream(outcome.text);
+        std::set<std::string> found;
+        for (std::string line; std::getline(stream, line);)
+            found.insert(line);
+        return found;
+    };
+    std::set<std::string> both = lines("antiAliasing = false\nambientOcclusion = true\n");
+    const auto second = lines("engineWritesMotion = true\n");
+    EXPECT_FALSE(std::ranges::includes(both, second));
+    both.insert(second.begin(), second.end());
+    EXPECT_EQ(both, lines("ambientOcclusion = true\n"));
 }
 
 TEST_F(Needs, mistakesAreNamedWithTheirLine) {
