@@ -4,8 +4,8 @@
 #
 # Compiles the modules that the plan of a scene can ask for, and no others, into DIRECTORY (by default TARGET
 # in the current binary directory): PASS/VARIANT.STAGE.spv and so on, as spirvFromDirectory reads them.
-# needs.toml has the fields of SceneNeeds under [needs] and those of Settings under [settings]; see
-# reprise/plan.hpp. TARGETS is what must exist; spirv by default. A target that cannot be expressed stops the
+# needs.toml has the fields of SceneNeeds under [needs], those of Settings under [settings] and those of
+# CacheSettings under [settings.cache]; see reprise/plan.hpp. TARGETS is what must exist; spirv by default. A target that cannot be expressed stops the
 # build with the reason. DEFINES sets platform switches of the table, 0 otherwise. The target's property REPRISE_PACK_DIRECTORY holds the directory.
 #
 # With an installed Reprise each module has a command of its own, so that touching one header compiles again

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Every block of C++ in the README must stand in the example as it is.
+# Every block of C++ in the page must stand in the example as it is.
 cmake_minimum_required(VERSION 3.25)
-file(READ "${README}" rest)
+file(READ "${PAGE}" rest)
 file(READ "${EXAMPLE}" example)
 set(fence "```")
 set(blocks 0)
@@ -16,10 +16,10 @@ while(TRUE)
     string(SUBSTRING "${rest}" 0 ${end} block)
     string(FIND "${example}" "${block}" found)
     if(found EQUAL -1)
-        message(FATAL_ERROR "${README} shows code that is not in ${EXAMPLE}:\n${block}")
+        message(FATAL_ERROR "${PAGE} shows code that is not in ${EXAMPLE}:\n${block}")
     endif()
     math(EXPR blocks "${blocks} + 1")
 endwhile()
 if(blocks EQUAL 0)
-    message(FATAL_ERROR "${README} shows no C++ code; it must quote ${EXAMPLE}.")
+    message(FATAL_ERROR "${PAGE} shows no C++ code; it must quote ${EXAMPLE}.")
 endif()

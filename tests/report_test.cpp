@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -335,6 +336,169 @@ TEST(Arguments, quickIsSmallerThanTheDefault) {
     EXPECT_GE(quick.rounds, 9u);
     EXPECT_GE(full.rounds, 15u);
     EXPECT_GE(full.scenes.size(), 5u);
+}
+
+// A still scene without anti-aliasing whose occlusion has neither history nor filter.
+PlanOptions occlusionAlone() {
+    PlanOptions options;
+    options.size = "64x64";
+    options.needs.antiAliasing = options.needs.cameraMoves = options.needs.objectsMove = false;
+    options.needs.ambientOcclusion = true;
+    options.cache.history = options.cache.filter = false;
+    return options;
+}
+
+PlanCost costOf(Shaders& shaders, const PlanOptions& options) {
+    return costOf(shaders, planFor(shaders, options.needs, options), parseSize(options.size));
+}
+
+// Reads of docs/ambient_occlusion.md and docs/scalable_obscurance.md, each over its own texels.
+TEST(PlanCommand, weighsReadsByThePixelsOfTheOutput) {
+    Shaders shaders(findAssets());
+    PlanOptions options = occlusionAlone();
+    const auto reads = [&] { return costOf(shaders, options).readsPerPixel; };
+    for (const char* stage : {"fragment", "compute"}) {
+        options.stage = stage;
+        options.size = "64x64";
+        options.cache.ratio = 2;
+        EXPECT_DOUBLE_EQ(reads(), (1 + 6) / 4.0 + 3);
+        options.size = "7x5"; // 4x3 coarse texels
+        EXPECT_DOUBLE_EQ(reads(), (1 + 6) * 12 / 35.0 + 3);
+        options.size = "64x64";
+        options.cache.ratio = 4;
+        EXPECT_DOUBLE_EQ(reads(), (4 + 6) / 16.0 + 3);
+    }
+    options.occlusion = "scalable_obscurance"; // its hierarchy is half as wide again
+    EXPECT_DOUBLE_EQ(reads(), 1.5 + 9);
+}
+
+TEST(PlanCommand, countsTheReadsOfObjectsAsIfTheyCoveredTheFrame) {
+    Shaders shaders(findAssets());
+    PlanOptions options = occlusionAlone();
+    options.needs.skinnedMeshes = true;
+    options.needs.antiAliasing = true;
+    const double still = costOf(shaders, options).readsPerPixel;
+    options.needs.objectsMove = true;
+    const auto plan = planFor(shaders, options.needs, options);
+    double own = 0.0;
+    for (const auto& pass : plan.passes)
+        if (pass.variant.pass->name == "object_velocity")
+            for (const Stage stage : {Stage::vertex, Stage::fragment})
+                own += readsPerPixel(pass.variant, stage, shaders.get(pass.variant, stage).reflection);
+    PlanOptions resolved = options;
+    resolved.needs.engineWritesMotion = true;
+    EXPECT_DOUBLE_EQ(costOf(shaders, options).readsPerPixel, costOf(shaders, resolved).readsPerPixel + own);
+    EXPECT_GT(costOf(shaders, resolved).readsPerPixel, still) << "motion is read";
+}
+
+// The filter runs twice and is one module; what is drawn needs the triangle, once.
+TEST(PlanCommand, countsTheBytesOfEachModuleOnce) {
+    Shaders shaders(findAssets());
+    PlanOptions options = occlusionAlone();
+    options.cache.filter = true;
+    for (const Stage stage : {Stage::fragment, Stage::compute}) {
+        options.stage = stageText(stage);
+        const auto plan = planFor(shaders, options.needs, options);
+        ASSERT_EQ(6u, plan.passes.size());
+        EXPECT_EQ(plan.passes[3].run, "across");
+        uint64_t words = stage == Stage::fragment ? shaders.fullscreenVertex().size() : 0;
+        for (const size_t once : {0, 1, 2, 3, 5})
+            words += shaders.get(plan.passes[once].variant, stage).spirv.size();
+        EXPECT_EQ(4 * words, costOf(shaders, options).spirvBytes);
+    }
+}
+
+// The least of a scene: nothing moves, nothing is cached.
+TEST(PlanCommand, comparesASceneWithEverythingOn) {
+    Shaders shaders(findAssets());
+    PlanOptions options;
+    options.size = "64x64";
+    options.needs.cameraMoves = options.needs.objectsMove = false;
+    const auto all = planOfEverything(shaders, options), scene = planFor(shaders, options.needs, options);
+    std::multiset<std::string> names;
+    for (const auto& pass : all.passes)
+        names.emplace(pass.variant.pass->name);
+    const std::multiset<std::string> expected{"camera_velocity",    "object_velocity",   "object_velocity",
+                                              "depth_downsample",   "ambient_occlusion", "sun_shadow",
+                                              "reprojection_cache", "bilateral_filter",  "bilateral_filter",
+                                              "bilateral_upsample", "temporal_aa"};
+    EXPECT_EQ(expected, names);
+    ASSERT_EQ(1u, scene.passes.size());
+    EXPECT_EQ(scene.passes.front().variant.pass->name, "temporal_aa");
+    // 2 of rgba16f are left; coarse and motion images, the output and the fallback's target are gone.
+    EXPECT_EQ(2u * 8 * 64 * 64, scene.bytes);
+    EXPECT_GT(all.bytes, 2 * scene.bytes);
+    const PlanCost allCost = costOf(shaders, all, {64, 64}), sceneCost = costOf(shaders, scene, {64, 64});
+    EXPECT_GT(allCost.readsPerPixel, sceneCost.readsPerPixel + 6) << "6 of upsampling and motion alone";
+    EXPECT_GT(allCost.spirvBytes, 2 * sceneCost.spirvBytes);
+}
+
+// The table of docs/runtime.md, row by row.
+TEST(PlanCommand, savesWhatThePageSays) {
+    Shaders shaders(findAssets());
+    const std::string page = contents("docs/runtime.md");
+    const auto expectRow = [&](const char* name, const reprise::FramePlan& plan) {
+        const PlanCost cost = costOf(shaders, plan, parseSize(PlanOptions{}.size));
+        const std::string row = fmt::format("| {} | {} | {:.1f} | {:.1f} | {:.1f} |\n", name,
+                                            plan.passes.size(), double(plan.bytes) / (1024 * 1024),
+                                            double(cost.spirvBytes) / 1024, cost.readsPerPixel);
+        EXPECT_NE(std::string::npos, page.find(row)) << row;
+    };
+    PlanOptions still, rigid, occlusion, both;
+    still.needs.objectsMove = rigid.needs.objectsMove = both.needs.objectsMove = false;
+    still.needs.cameraMoves = still.needs.hdr = rigid.needs.hdr = false;
+    occlusion.needs.ambientOcclusion = both.needs.ambientOcclusion = both.needs.sunShadows = true;
+    const auto planned = [&](const PlanOptions& options) { return planFor(shaders, options.needs, options); };
+    expectRow("everything on", planOfEverything(shaders, {}));
+    expectRow("`--ambient-occlusion --sun-shadows --static-objects`", planned(both));
+    expectRow("`--ambient-occlusion`", planned(occlusion));
+    expectRow("`--static-objects --no-hdr`", planned(rigid));
+    expectRow("`--static-camera --static-objects --no-hdr`", planned(still));
+}
+
+std::string printedPlan(const std::string& options) {
+    const std::string command = std::string(REPRISE_PROGRAM) + " plan --size 64x64 " + options + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return "popen failed";
+    std::string text;
+    char buffer[4096];
+    for (size_t got = 0; (got = fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+        text.append(buffer, got);
+    pclose(pipe);
+    return text;
+}
+
+// Each option, with what it alone brings into the plan, or out of it.
+TEST(PlanCommand, optionsReachThePlan) {
+    const std::string occlusion = "--no-anti-aliasing --static-camera --static-objects --ambient-occlusion ";
+    const auto has = [](const std::string& text, const char* part) {
+        return text.find(part) != std::string::npos;
+    };
+    const std::string usual = printedPlan(occlusion);
+    const std::pair<const char*, const char*> brought[] = {
+        {"--sun-shadows", "  sun_shadow--values-occlusion_in_integer\n"},
+        {"--sun-shadows --packing shadow_in_integer", "  sun_shadow--values-shadow_in_integer\n"},
+        {"--sun-shadows --cascades 2", "  sun_shadow--cascades-2--"},
+        {"--sun-shadows --reversed-shadows", "--shadow_reversed-on"},
+        {"--occlusion scalable_obscurance", "  scalable_obscurance--motion-off\n"},
+        {"--ratio 4", "  depth_downsample--ratio-4\n"},
+        {"--ratio 1", "without bilateral_upsample: CacheSettings::ratio is 1"},
+        {"--samples 8", "  ambient_occlusion--samples-8\n"},
+        {"--no-history", "  reprojection_cache--history-none\n"},
+        {"--no-change-detection", "  reprojection_cache--history-still\n"},
+        {"--no-filter", "without bilateral_filter: CacheSettings::filter is off"},
+        {"--filter-history", "gOutFiltered                 rgba16f  32x32  0.01 MiB, history"},
+    };
+    for (const auto& [option, line] : brought) {
+        EXPECT_FALSE(has(usual, line)) << line;
+        const std::string text = printedPlan(occlusion + option);
+        EXPECT_TRUE(has(text, line)) << option << "\n" << text;
+    }
+    EXPECT_TRUE(has(printedPlan("--cached-value"), "gInFresh"));
+    EXPECT_TRUE(has(usual, "  bilateral_filter, across\n  bilateral_filter, down\n")) << usual;
+    EXPECT_TRUE(has(usual, "count by its output's share of the frame's pixels")) << usual;
+    EXPECT_TRUE(has(printedPlan(occlusion + "--occlusion sun_shadow"), "ambient_occlusion or scalable"));
+    EXPECT_TRUE(has(printedPlan(occlusion + "--occlusion nothing"), "--occlusion nothing is not one of"));
 }
 
 TEST(Parameters, areLaidOutByNameAndAMissingOneIsAnError) {

@@ -36,7 +36,16 @@ struct CheckOptions {
 
 struct PlanOptions {
     reprise::SceneNeeds needs;
+    reprise::CacheSettings cache; // but for the next three
+    std::string occlusion = "ambient_occlusion", packing = "occlusion_in_integer";
+    uint32_t samples = 0; // 0: the default of the pass `occlusion`
     std::string stage = "compute", preset = "best", size = "1920x1080";
+};
+
+struct PlanCost {
+    uint64_t spirvBytes = 0; // of each module once
+    // A pass counts by its output's share of the frame's pixels, geometry as if it covered the frame.
+    double readsPerPixel = 0.0;
 };
 
 struct RenderOptions {
@@ -67,6 +76,13 @@ void printNotes(const scenes::Scene& scene);
 reprise::FramePlan makeFramePlan(Shaders& shaders, const reprise::SceneNeeds& needs,
                                  const reprise::Settings& settings,
                                  Size size); // throws the runtime's sentence
+// The plan of `needs` under the settings of `options`, whose own needs are not looked at; it must not
+// outlive the options.
+reprise::FramePlan planFor(Shaders& shaders, const reprise::SceneNeeds& needs, const PlanOptions& options);
+// What `reprise plan` compares a scene with: occlusion and shadows in one cache, anti-aliasing with the
+// fallback for fast motion, rigid and skinned objects that move; CacheSettings as they are by default.
+reprise::FramePlan planOfEverything(Shaders& shaders, const PlanOptions& options);
+PlanCost costOf(Shaders& shaders, const reprise::FramePlan& plan, Size size);
 // "0: llvmpipe ..., cpu"
 std::vector<std::string> deviceLines();
 Plan makePlan(const ReportOptions& options, const reprisec::Pack& pack);

@@ -43,6 +43,25 @@ void addCheck(CLI::App& app, CheckOptions& o, std::function<void()>& run) {
     command->callback([&] { run = [&o] { checkCommand(o); }; });
 }
 
+// The fields of CacheSettings.
+void addCacheOptions(CLI::App& command, PlanOptions& o) {
+    reprise::CacheSettings& c = o.cache;
+    command.add_option("--occlusion", o.occlusion, "ambient_occlusion or scalable_obscurance")
+        ->capture_default_str();
+    command.add_option("--ratio", c.ratio, "Pixels per texel of the cache along an axis: 1, 2 or 4")
+        ->capture_default_str();
+    command.add_option("--samples", o.samples, "Of occlusion, a texel and frame (default: the pass's)");
+    command.add_option("--cascades", c.cascades, "Of the shadow map, 1 to 4")->capture_default_str();
+    command.add_flag("!--no-history", c.history, "The cache keeps nothing from frame to frame");
+    command.add_flag("!--no-change-detection", c.detectsChanges, "History is kept where the values change");
+    command.add_flag("!--no-filter", c.filter, "The cache is not filtered");
+    command.add_flag("--filter-history", c.filtersHistory, "What is filtered is the next frame's history");
+    command
+        .add_option("--packing", o.packing,
+                    "Of occlusion and shadow: occlusion_in_integer or shadow_in_integer")
+        ->capture_default_str();
+}
+
 void addPlan(CLI::App& app, PlanOptions& o, std::function<void()>& run) {
     CLI::App* command =
         app.add_subcommand("plan", "Print what a scene needs: passes, images, reads, and what is left out");
@@ -57,6 +76,11 @@ void addPlan(CLI::App& app, PlanOptions& o, std::function<void()>& run) {
     command->add_flag("--reversed-depth", n.reversedDepth, "Device depth is reversed");
     command->add_flag("--orthographic", n.orthographic, "The camera is orthographic");
     command->add_flag("--linear-depth", n.linearDepth, "Depth is linear, in metres");
+    command->add_flag("--ambient-occlusion", n.ambientOcclusion, "Occlusion is computed and cached");
+    command->add_flag("--sun-shadows", n.sunShadows, "Shadows of the sun are filtered and cached");
+    command->add_flag("--reversed-shadows", n.reversedShadows, "Depth of the shadow map is reversed");
+    command->add_flag("--cached-value", n.cachedValue, "A value of the engine's is cached");
+    addCacheOptions(*command, o);
     command->add_option("--stage", o.stage, "fragment or compute")->capture_default_str();
     command->add_option("--preset", o.preset, "Preset of temporal_aa")->capture_default_str();
     command->add_option("--size", o.size, "WIDTHxHEIGHT")->capture_default_str();

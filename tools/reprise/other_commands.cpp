@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "truth.hpp"
 
+#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -38,53 +39,59 @@ std::vector<Stage> stagesOf(const reprise::PlannedPass& planned) {
     return {Stage::vertex, Stage::fragment};
 }
 
-struct Cost {
-    uint64_t spirvBytes = 0;
-    double reads = 0.0;
-};
-
-Cost costOf(Shaders& shaders, const reprise::FramePlan& plan) {
-    Cost cost;
-    for (const auto& planned : plan.passes)
-        for (Stage stage : stagesOf(planned)) {
-            const auto& compiled = shaders.get(planned.variant, stage);
-            cost.spirvBytes += compiled.spirv.size() * sizeof(uint32_t);
-            cost.reads += readsPerPixel(planned.variant, stage, compiled.reflection);
-        }
-    return cost;
+// Passes that draw geometry write where it is: they count as if it were everywhere.
+double shareOfFrame(const reprise::FramePlan& plan, const reprise::PlannedPass& planned, Size size) {
+    const auto& output = plan.images[static_cast<size_t>(planned.writeImages.front())];
+    return double(output.extent.width) * output.extent.height / (double(size.width) * size.height);
 }
 
-reprise::FramePlan planFor(Shaders& shaders, const reprise::SceneNeeds& needs, const PlanOptions& options) {
-    const Size size = parseSize(options.size);
+// Passes differ in what they need for as many samples.
+uint32_t defaultSamples(Shaders& shaders, const std::string& pass) {
+    const auto variant = reprise::makeVariant(shaders.pack().passes(), pass);
+    const auto value = variant ? reprise::switchValue(*variant, "SAMPLES") : std::string_view{};
+    if (value.empty())
+        throw std::runtime_error(
+            fmt::format("--occlusion {} is not one of ambient_occlusion, scalable_obscurance", pass));
+    return static_cast<uint32_t>(std::stoul(std::string(value)));
+}
+
+reprise::Settings settingsOf(const PlanOptions& options) {
     const auto stages = parseStages(options.stage);
     if (stages.size() != 1)
         throw std::runtime_error("--stage must be fragment or compute here: a plan has one");
     reprise::Settings settings;
     settings.stage = stages.front();
     settings.preset = options.preset;
-    return makeFramePlan(shaders, needs, settings, size);
+    return settings;
 }
 
 void printPlan(const reprise::FramePlan& plan) {
     for (const auto& pass : plan.passes)
-        fmt::print("  {}\n", reprise::variantName(pass.variant));
-    for (const auto& image : plan.images)
-        fmt::print("    {:<16} {:<8} {}x{}  {:.2f} MiB{}{}\n", image.name, image.format, image.extent.width,
-                   image.extent.height, mebibytes(image.bytes), image.history ? ", history" : "",
-                   image.external ? ", the engine's" : "");
+        fmt::print("  {}{}{}\n", reprise::variantName(pass.variant), pass.run.empty() ? "" : ", ", pass.run);
+    for (const auto& image : plan.images) {
+        const std::string extent = image.extent.width == 0
+                                       ? "of an extent of its own"
+                                       : fmt::format("{}x{}  {:.2f} MiB", image.extent.width,
+                                                     image.extent.height, mebibytes(image.bytes));
+        fmt::print("    {:<28} {:<8} {}{}{}\n", image.name, image.format, extent,
+                   image.history ? ", history" : "", image.external ? ", the engine's" : "");
+    }
     for (const auto& dropped : plan.dropped)
         fmt::print("  without {}: {}\n", dropped.pass, dropped.reason);
 }
 
-void printCosts(const reprise::FramePlan& all, const Cost& allCost, const reprise::FramePlan& scene,
-                const Cost& sceneCost) {
+void printCosts(const reprise::FramePlan& all, const PlanCost& allCost, const reprise::FramePlan& scene,
+                const PlanCost& sceneCost) {
     fmt::print("{:<28} {:>14} {:>14}\n", "", "everything on", "this scene");
     fmt::print("{:<28} {:>14} {:>14}\n", "passes", all.passes.size(), scene.passes.size());
     fmt::print("{:<28} {:>14.2f} {:>14.2f}\n", "images, MiB", mebibytes(all.bytes), mebibytes(scene.bytes));
     fmt::print("{:<28} {:>14.2f} {:>14.2f}\n", "images unaliased, MiB", mebibytes(all.bytesWithoutAliasing),
                mebibytes(scene.bytesWithoutAliasing));
     fmt::print("{:<28} {:>14} {:>14}\n", "SPIR-V, bytes", allCost.spirvBytes, sceneCost.spirvBytes);
-    fmt::print("{:<28} {:>14.2f} {:>14.2f}\n", "texture reads per pixel", allCost.reads, sceneCost.reads);
+    fmt::print("{:<28} {:>14.2f} {:>14.2f}\n", "reads per pixel of the frame", allCost.readsPerPixel,
+               sceneCost.readsPerPixel);
+    fmt::print("A pass's texture reads count by its output's share of the frame's pixels: at half resolution "
+               "by a quarter.\n");
 }
 
 struct Instance {
@@ -136,12 +143,6 @@ Picture renderedPicture(const RenderOptions& options, const scenes::Scene& scene
     return displayPicture(gpu, frames.front().colour);
 }
 
-reprise::SceneNeeds everything() {
-    reprise::SceneNeeds needs;
-    needs.skinnedMeshes = needs.fastMotion = true;
-    return needs;
-}
-
 } // namespace
 
 reprise::FramePlan makeFramePlan(Shaders& shaders, const reprise::SceneNeeds& needs,
@@ -150,6 +151,40 @@ reprise::FramePlan makeFramePlan(Shaders& shaders, const reprise::SceneNeeds& ne
                               {size.width, size.height});
     if (!plan) throw std::runtime_error(plan.error().message);
     return std::move(*plan);
+}
+
+reprise::FramePlan planFor(Shaders& shaders, const reprise::SceneNeeds& needs, const PlanOptions& options) {
+    reprise::Settings settings = settingsOf(options);
+    settings.cache = options.cache;
+    settings.cache.occlusion = options.occlusion;
+    settings.cache.packing = options.packing;
+    const uint32_t usual = defaultSamples(shaders, options.occlusion);
+    settings.cache.samples = options.samples ? options.samples : usual;
+    return makeFramePlan(shaders, needs, settings, parseSize(options.size));
+}
+
+reprise::FramePlan planOfEverything(Shaders& shaders, const PlanOptions& options) {
+    reprise::SceneNeeds needs;
+    needs.skinnedMeshes = needs.fastMotion = needs.ambientOcclusion = needs.sunShadows = true;
+    return makeFramePlan(shaders, needs, settingsOf(options), parseSize(options.size));
+}
+
+PlanCost costOf(Shaders& shaders, const reprise::FramePlan& plan, Size size) {
+    PlanCost cost;
+    std::set<std::string> counted;
+    const auto count = [&](const std::string& file, const std::vector<uint32_t>& words) {
+        if (counted.insert(file).second) cost.spirvBytes += words.size() * sizeof(uint32_t);
+    };
+    for (const auto& planned : plan.passes)
+        for (Stage stage : stagesOf(planned)) {
+            const auto& compiled = shaders.get(planned.variant, stage);
+            count(reprise::spirvFileName(planned.variant, stage), compiled.spirv);
+            cost.readsPerPixel += shareOfFrame(plan, planned, size) *
+                                  readsPerPixel(planned.variant, stage, compiled.reflection);
+            if (stage == Stage::fragment && planned.variant.pass->fullscreen)
+                count("fullscreen", shaders.fullscreenVertex());
+        }
+    return cost;
 }
 
 std::vector<std::string> deviceLines() {
@@ -184,11 +219,12 @@ void listCommand() {
 
 void planCommand(const PlanOptions& options) {
     Shaders shaders(findAssets());
-    const reprise::FramePlan all = planFor(shaders, everything(), options);
+    const Size size = parseSize(options.size);
+    const reprise::FramePlan all = planOfEverything(shaders, options);
     const reprise::FramePlan scene = planFor(shaders, options.needs, options);
     printPlan(scene);
     fmt::print("\n");
-    printCosts(all, costOf(shaders, all), scene, costOf(shaders, scene));
+    printCosts(all, costOf(shaders, all, size), scene, costOf(shaders, scene, size));
 }
 
 void renderCommand(const RenderOptions& options) {

@@ -5,6 +5,8 @@
 #include "reprise/plan.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <variant>
 
 #include <toml++/toml.h>
 
@@ -12,6 +14,7 @@ namespace reprisec {
 
 namespace {
 
+using reprise::CacheSettings;
 using reprise::SceneNeeds;
 
 struct Scene {
@@ -20,20 +23,32 @@ struct Scene {
     std::deque<std::string> texts; // what the views in `settings` point to
 };
 
-const std::map<std::string_view, bool SceneNeeds::*>& needFields() {
-    static const std::map<std::string_view, bool SceneNeeds::*> fields{
-        {"antiAliasing", &SceneNeeds::antiAliasing},
-        {"cameraMoves", &SceneNeeds::cameraMoves},
-        {"objectsMove", &SceneNeeds::objectsMove},
-        {"skinnedMeshes", &SceneNeeds::skinnedMeshes},
-        {"engineWritesMotion", &SceneNeeds::engineWritesMotion},
-        {"hdr", &SceneNeeds::hdr},
-        {"fastMotion", &SceneNeeds::fastMotion},
-        {"reversedDepth", &SceneNeeds::reversedDepth},
-        {"orthographic", &SceneNeeds::orthographic},
-        {"linearDepth", &SceneNeeds::linearDepth}};
-    return fields;
-}
+constexpr std::pair<std::string_view, bool SceneNeeds::*> needFields[] = {
+    {"antiAliasing", &SceneNeeds::antiAliasing},
+    {"cameraMoves", &SceneNeeds::cameraMoves},
+    {"objectsMove", &SceneNeeds::objectsMove},
+    {"skinnedMeshes", &SceneNeeds::skinnedMeshes},
+    {"engineWritesMotion", &SceneNeeds::engineWritesMotion},
+    {"hdr", &SceneNeeds::hdr},
+    {"fastMotion", &SceneNeeds::fastMotion},
+    {"reversedDepth", &SceneNeeds::reversedDepth},
+    {"orthographic", &SceneNeeds::orthographic},
+    {"linearDepth", &SceneNeeds::linearDepth},
+    {"ambientOcclusion", &SceneNeeds::ambientOcclusion},
+    {"sunShadows", &SceneNeeds::sunShadows},
+    {"reversedShadows", &SceneNeeds::reversedShadows},
+    {"cachedValue", &SceneNeeds::cachedValue}};
+static_assert(std::size(needFields) == sizeof(SceneNeeds) / sizeof(bool), "a need has no name here");
+
+using CacheField =
+    std::variant<bool CacheSettings::*, uint32_t CacheSettings::*, std::string_view CacheSettings::*>;
+
+constexpr std::pair<std::string_view, CacheField> cacheFields[] = {
+    {"occlusion", &CacheSettings::occlusion}, {"ratio", &CacheSettings::ratio},
+    {"samples", &CacheSettings::samples},     {"cascades", &CacheSettings::cascades},
+    {"history", &CacheSettings::history},     {"detectsChanges", &CacheSettings::detectsChanges},
+    {"filter", &CacheSettings::filter},       {"filtersHistory", &CacheSettings::filtersHistory},
+    {"packing", &CacheSettings::packing}};
 
 // Thrown while reading, caught in readScene.
 struct Mistake {
@@ -55,17 +70,51 @@ const toml::table& table(const toml::node& node) {
     fail(node, "this must be a table");
 }
 
-void readNeed(Scene& scene, const toml::key& key, const toml::node& value) {
-    const auto field = needFields().find(key.str());
-    if (field == needFields().end()) {
-        std::string known;
-        for (const auto& [name, member] : needFields())
-            known += (known.empty() ? "" : ", ") + std::string(name);
-        fail(value, "there is no need \"" + std::string(key.str()) + "\"; there are: " + known);
+bool flag(const toml::node& node, std::string_view message) {
+    if (const auto value = node.value_exact<bool>()) return *value;
+    fail(node, std::string(message));
+}
+
+uint32_t wholeNumber(const toml::node& node) {
+    const auto value = node.value_exact<int64_t>();
+    if (!value || *value < 0 || *value > std::numeric_limits<uint32_t>::max())
+        fail(node, "this must be a whole number from 0 on");
+    return static_cast<uint32_t>(*value);
+}
+
+// The member that `key` names; `kind` is what the message calls one.
+template <class Fields>
+auto fieldOf(const Fields& fields, std::string_view kind, const toml::key& key, const toml::node& value) {
+    std::string known;
+    for (const auto& [name, member] : fields) {
+        if (name == key.str()) return member;
+        known += (known.empty() ? "" : ", ") + std::string(name);
     }
-    const auto flag = value.value_exact<bool>();
-    if (!flag) fail(value, "a need is true or false");
-    scene.needs.*field->second = *flag;
+    fail(value,
+         "there is no " + std::string(kind) + " \"" + std::string(key.str()) + "\"; there are: " + known);
+}
+
+void readNeed(Scene& scene, const toml::key& key, const toml::node& value) {
+    scene.needs.*fieldOf(needFields, "need", key, value) = flag(value, "a need is true or false");
+}
+
+void readCacheSetting(Scene& scene, const toml::key& key, const toml::node& value) {
+    CacheSettings& cache = scene.settings.cache;
+    const CacheField field = fieldOf(cacheFields, "setting of the cache", key, value);
+    if (const auto* yesNo = std::get_if<bool CacheSettings::*>(&field))
+        cache.*(*yesNo) = flag(value, "this must be true or false");
+    else if (const auto* number = std::get_if<uint32_t CacheSettings::*>(&field))
+        cache.*(*number) = wholeNumber(value);
+    else
+        cache.*std::get<std::string_view CacheSettings::*>(field) = text(scene, value);
+}
+
+void readOverride(Scene& scene, const toml::key& key, const toml::node& value) {
+    if (value.is_table())
+        fail(value, "the switch of another pass is written in quotes: \"" + std::string(key.str()) +
+                        ".SWITCH\" = \"value\"");
+    const std::string_view switchName = scene.texts.emplace_back(key.str());
+    scene.settings.overrides.push_back({switchName, text(scene, value)});
 }
 
 void readSetting(Scene& scene, const toml::key& key, const toml::node& value) {
@@ -78,13 +127,14 @@ void readSetting(Scene& scene, const toml::key& key, const toml::node& value) {
     } else if (key == "colourFormat") {
         scene.settings.colourFormat = text(scene, value);
     } else if (key == "overrides") {
-        for (const auto& [name, wanted] : table(value)) {
-            const std::string_view switchName = scene.texts.emplace_back(name.str());
-            scene.settings.overrides.push_back({switchName, text(scene, wanted)});
-        }
+        for (const auto& [name, wanted] : table(value))
+            readOverride(scene, name, wanted);
+    } else if (key == "cache") {
+        for (const auto& [name, wanted] : table(value))
+            readCacheSetting(scene, name, wanted);
     } else {
         fail(value, "there is no setting \"" + std::string(key.str()) +
-                        "\"; there are: stage, preset, colourFormat, overrides");
+                        "\"; there are: stage, preset, colourFormat, overrides, cache");
     }
 }
 

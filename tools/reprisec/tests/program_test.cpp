@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include <sys/wait.h>
 
@@ -131,11 +132,15 @@ TEST_F(Program, wrongArgumentsEndWithASentence) {
 }
 
 // The real pack: the plan of a scene with nothing but a moving camera has no object velocity.
-TEST_F(Program, needsSelectTheModulesOfTheScenesPlan) {
-    const auto listed = [&](const std::string& needs) {
+class Needs : public Program {
+protected:
+    Outcome listed(const std::string& needs) const {
         writeText(folder / "needs.toml", needs);
         return run("--needs " + (folder / "needs.toml").string() + " --targets spirv --list-outputs");
-    };
+    }
+};
+
+TEST_F(Needs, selectTheModulesOfTheScenesPlan) {
     const Outcome camera =
         listed("[needs]\nobjectsMove = false\n[settings]\nstage = \"fragment\"\npreset = \"lean\"\n");
     EXPECT_EQ(camera.code, 0);
@@ -146,4 +151,88 @@ TEST_F(Program, needsSelectTheModulesOfTheScenesPlan) {
     EXPECT_EQ(wrong.code, 1);
     EXPECT_NE(wrong.text.find("needs.toml:2: there is no need \"objectMoves\""), std::string::npos)
         << wrong.text;
+}
+
+// Each field changes the list of modules, or takes effect without changing it where another one says so.
+TEST_F(Needs, selectWhatTheFrameworkCaches) {
+    const std::string still = "[needs]\nantiAliasing = false\ncameraMoves = false\nobjectsMove = false\n";
+    const auto has = [](const Outcome& outcome, const char* module) {
+        EXPECT_EQ(outcome.code, 0) << outcome.text;
+        return outcome.text.find(std::string(module) + " compute") != std::string::npos;
+    };
+    const Outcome usual = listed(still + "ambientOcclusion = true\n");
+    for (const char* module :
+         {"depth_downsample", "ambient_occlusion", "reprojection_cache--history-still--change_detection-on",
+          "bilateral_filter", "bilateral_upsample"})
+        EXPECT_TRUE(has(usual, module)) << module << "\n" << usual.text;
+    EXPECT_EQ(usual.text.find("sun_shadow"), std::string::npos) << usual.text;
+    EXPECT_EQ(usual.text.find("temporal_aa"), std::string::npos) << usual.text;
+
+    const Outcome alone = listed(still + "ambientOcclusion = true\n[settings.cache]\nratio = 4\nsamples = 8\n"
+                                         "history = false\nfilter = false\n");
+    for (const char* module :
+         {"depth_downsample--ratio-4", "ambient_occlusion--samples-8", "bilateral_upsample--ratio-4"})
+        EXPECT_TRUE(has(alone, module)) << module << "\n" << alone.text;
+    EXPECT_EQ(alone.text.find("reprojection_cache"), std::string::npos) << alone.text;
+    EXPECT_EQ(alone.text.find("bilateral_filter"), std::string::npos) << alone.text;
+
+    const Outcome both = listed(still + "ambientOcclusion = true\nsunShadows = true\nreversedShadows = true\n"
+                                        "[settings.cache]\ncascades = 2\npacking = \"shadow_in_integer\"\n"
+                                        "detectsChanges = false\n");
+    for (const char* module : {"sun_shadow--cascades-2--values-shadow_in_integer--shadow_reversed-on",
+                               "reprojection_cache--history-still--values-shadow_in_integer"})
+        EXPECT_TRUE(has(both, module)) << module << "\n" << both.text;
+
+    const Outcome other = listed(still + "ambientOcclusion = true\n[settings.cache]\n"
+                                         "occlusion = \"scalable_obscurance\"\nsamples = 7\n");
+    for (const char* module : {"depth_hierarchy", "scalable_obscurance--motion-off", "obscurance_filter"})
+        EXPECT_TRUE(has(other, module)) << module << "\n" << other.text;
+
+    const Outcome value = listed(still + "cachedValue = true\n[settings.overrides]\n"
+                                         "\"bilateral_filter.TAPS\" = \"point\"\n");
+    EXPECT_TRUE(has(value, "bilateral_filter--taps-point")) << value.text;
+    EXPECT_EQ(value.text.find("ambient_occlusion"), std::string::npos) << value.text;
+}
+
+// Lighting before shading, which makes the motion, and anti-aliasing after it: docs/runtime.md, "Where in the
+// frame".
+TEST_F(Needs, theirSumHasTheModulesOfTwoRecorders) {
+    const auto lines = [&](const std::string& needs) {
+        const Outcome outcome = listed("[needs]\n" + needs);
+        EXPECT_EQ(outcome.code, 0) << outcome.text;
+        std::istringstream stream(outcome.text);
+        std::set<std::string> found;
+        for (std::string line; std::getline(stream, line);)
+            found.insert(line);
+        return found;
+    };
+    std::set<std::string> both = lines("antiAliasing = false\nambientOcclusion = true\n");
+    const auto second = lines("engineWritesMotion = true\n");
+    EXPECT_FALSE(std::ranges::includes(both, second));
+    both.insert(second.begin(), second.end());
+    EXPECT_EQ(both, lines("ambientOcclusion = true\n"));
+}
+
+TEST_F(Needs, mistakesAreNamedWithTheirLine) {
+    const std::pair<const char*, const char*> mistakes[] = {
+        {"[settings.cache]\nratios = 2\n", ":2: there is no setting of the cache \"ratios\""},
+        {"[settings.cache]\nhistory = 1\n", ":2: this must be true or false"},
+        {"[settings.cache]\nratio = -2\n", ":2: this must be a whole number"},
+        {"[settings.cache]\nratio = 4294967298\n", ":2: this must be a whole number"}, // 2 in 32 bits
+        {"[settings.cache]\nsamples = 4.0\n", ":2: this must be a whole number"},
+        {"[settings.cache]\npacking = true\n", ":2: this must be a string"},
+        {"[settings]\ncache = true\n", ":2: this must be a table"},
+        {"[settings]\ncashe = 1\n", ":2: there is no setting \"cashe\""},
+        {"[needs]\nsunShadows = \"yes\"\n", ":2: a need is true or false"},
+        {"[settings.overrides]\nbilateral_filter.TAPS = \"point\"\n",
+         ":2: the switch of another pass is written in quotes: \"bilateral_filter.SWITCH\""},
+        {"[settings.overrides]\n\"no_pass.TAPS\" = \"point\"\n", ":1: there is no pass \"no_pass\""},
+        {"[needs]\nambientOcclusion = true\n[settings.cache]\nratio = 3\n",
+         ":1: CacheSettings::ratio is 1, 2 or 4, not 3"}};
+    for (const auto& [needs, said] : mistakes) {
+        const Outcome outcome = listed(needs);
+        EXPECT_EQ(outcome.code, 1) << needs;
+        EXPECT_NE(outcome.text.find(std::string("needs.toml") + said), std::string::npos)
+            << needs << outcome.text;
+    }
 }

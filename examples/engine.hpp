@@ -12,7 +12,7 @@
 
 inline void check(VkResult result, const char* what) {
     if (result == VK_SUCCESS) return;
-    std::fprintf(stderr, "minimal: could not %s (VkResult %d)\n", what, static_cast<int>(result));
+    std::fprintf(stderr, "could not %s (VkResult %d)\n", what, static_cast<int>(result));
     std::exit(1);
 }
 
