@@ -133,6 +133,12 @@ BilateralUpsampleParameters upsampleParameters(const FrameInput& input, const Ca
     return p;
 }
 
+CombineLightingParameters combineParameters(const CacheFrame& frame) {
+    CombineLightingParameters p{};
+    store(p.gOutputSize, sizeOf(frame.extent));
+    return p;
+}
+
 // Across the width of the frame and half of it more, which is where the levels are.
 VkExtent2D hierarchyExtent(const CacheFrame& frame) {
     return {(3 * frame.extent.width + 1) / 2, frame.extent.height};
@@ -203,6 +209,7 @@ Result<std::vector<std::byte>> cacheParameters(std::string_view pass, std::strin
     if (pass == obscuranceFilterPass) return bytesOf(obscuranceFilterParameters(run, input, frame));
     if (pass == "reprojection_cache") return bytesOf(historyParameters(input, frame));
     if (pass == "bilateral_filter") return bytesOf(filterParameters(run, input, frame));
+    if (pass == combinePass) return bytesOf(combineParameters(frame));
     return bytesOf(upsampleParameters(input, frame));
 }
 

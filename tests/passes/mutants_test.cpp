@@ -6,6 +6,7 @@
 #include "bilateral_upsample_case.hpp"
 #include "camera_case.hpp"
 #include "changed_pack.hpp"
+#include "combine_lighting_case.hpp"
 #include "depth_hierarchy_case.hpp"
 #include "object_case.hpp"
 #include "reprojection_cache_case.hpp"
@@ -396,6 +397,7 @@ const std::vector<FrameworkMutant>& frameworkMutants() {
                                sun = "passes/sun_shadow.hlsl", hierarchy = "passes/depth_hierarchy.hlsl",
                                obscurance = "passes/scalable_obscurance.hlsl",
                                blur = "passes/obscurance_filter.hlsl",
+                               combine = "passes/combine_lighting.hlsl",
                                digits = "reprise/occlusion_depth_packing.hlsli";
     static const std::vector<FrameworkMutant> mutants = {
         {"depth_downsample",
@@ -715,6 +717,47 @@ const std::vector<FrameworkMutant>& frameworkMutants() {
           "1.0, 1.0, 1.0, 1.0",
           compute,
           {}}},
+        {"combine_lighting",
+         {"sunByTheOcclusion",
+          combine,
+          "knownVisibility(lighting.g)",
+          "knownVisibility(lighting.r)",
+          fragment,
+          {}}},
+        {"combine_lighting",
+         {"shadowAloneInGreen",
+          combine,
+          "gInSunLight, uv).rgb) * knownVisibility(lighting.r)",
+          "gInSunLight, uv).rgb) * knownVisibility(lighting.g)",
+          compute,
+          {{"LIGHTING", "shadow"}}}},
+        {"combine_lighting",
+         {"otherLightOccluded",
+          combine,
+          "sanitize(SAMPLE(gInOtherLight, uv).rgb)",
+          "sanitize(SAMPLE(gInOtherLight, uv).rgb) * knownVisibility(lighting.r)",
+          fragment,
+          {{"OTHER_LIGHT", "on"}}}},
+        {"combine_lighting",
+         {"visibilityBeyondOne", combine, "saturate(visibility)", "visibility", compute, {}}},
+        {"combine_lighting",
+         {"unknownVisibilityIsNone",
+          combine,
+          "saturate(visibility) : 1.0",
+          "saturate(visibility) : 0.0",
+          fragment,
+          {}}},
+        {"combine_lighting",
+         {"sumBeyondTheFormat", combine, "min(colour, MAX_COLOUR)", "colour", compute, {}}},
+        {"combine_lighting",
+         {"brokenLightKept",
+          combine,
+          "sanitize(SAMPLE(gInAmbientLight, uv).rgb)",
+          "SAMPLE(gInAmbientLight, uv).rgb",
+          fragment,
+          {{"LIGHTING", "occlusion"}}}},
+        {"combine_lighting",
+         {"alphaOfTheLights", combine, "MAX_COLOUR), 1.0)", "MAX_COLOUR), 0.0)", compute, {}}},
     };
     return mutants;
 }
@@ -741,6 +784,17 @@ bool frameworkCatches(const Variant& right, Pass& pass) {
         return fails(scalableObscuranceCase(right, Surfaces::corner, 64, 47, 34)) ||
                fails(scalableObscuranceCase(right, Surfaces::random, width, height, 34));
     if (name == "obscurance_filter") return fails(obscuranceFilterCase(width, height, {1, 0}, 34));
+    if (name == "combine_lighting") {
+        auto frame = combineLightingCase(right, width, height, 34);
+        for (int c = 0; c < 2; ++c)
+            frame.lighting.at(12, 9, c) = std::numeric_limits<float>::infinity();
+        for (int c = 0; c < 3; ++c) {
+            frame.ambient.at(13, 9, c) = std::numeric_limits<float>::quiet_NaN();
+            frame.ambient.at(14, 9, c) = frame.sun.at(14, 9, c) = 65504.0f;
+            frame.lighting.at(14, 9, c % 2) = 1.0f;
+        }
+        return fails(frame);
+    }
     if (name == "bilateral_filter") return fails(bilateralFilterCase(right, width, height, {1, 0}, 34));
     return fails(bilateralUpsampleCase(right, width, height, 34));
 }

@@ -326,6 +326,25 @@ inline constexpr uint32_t gOutFilteredObscurance = 16;
 inline constexpr uint32_t gInObscurance_sampler = 33;
 }
 
+// combine_lighting: The light of a deferred renderer put together, with its visibility
+struct alignas(16) CombineLightingParameters {
+    float gOutputSize[4];   // float4
+};
+static_assert(sizeof(CombineLightingParameters) == 16);
+static_assert(offsetof(CombineLightingParameters, gOutputSize) == 0);
+namespace bindings::combine_lighting {
+inline constexpr uint32_t CombineLightingParameters = 0;
+inline constexpr uint32_t gInLighting = 1;
+inline constexpr uint32_t gInAmbientLight = 2;
+inline constexpr uint32_t gInSunLight = 3;
+inline constexpr uint32_t gInOtherLight = 4;
+inline constexpr uint32_t gOutLit = 16;
+inline constexpr uint32_t gInLighting_sampler = 33;
+inline constexpr uint32_t gInAmbientLight_sampler = 34;
+inline constexpr uint32_t gInSunLight_sampler = 35;
+inline constexpr uint32_t gInOtherLight_sampler = 36;
+}
+
 // temporal_aa: Temporal reprojection anti-aliasing
 struct alignas(16) TemporalAaParameters {
     float gOutputSize[4];   // float4
@@ -1024,6 +1043,62 @@ inline constexpr PackModule obscurance_filter_modules[] = {
     {"obscurance_filter", Stage::compute,
      "", ""},
 };
+inline constexpr Stage combine_lighting_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view combine_lighting_LIGHTING_values[] = {"occlusion", "shadow", "both"};
+inline constexpr std::string_view combine_lighting_OTHER_LIGHT_values[] = {"off", "on"};
+inline constexpr SwitchInfo combine_lighting_switches[] = {
+    {"LIGHTING", combine_lighting_LIGHTING_values, 2, "occlusion, the sun's shadow, or both are at hand",
+     "what gInLighting holds, and so which light it takes away from", {}},
+    {"OTHER_LIGHT", combine_lighting_OTHER_LIGHT_values, 0, "there is light that neither occlusion nor shadow touches",
+     "gInOtherLight is added as it is", {}},
+};
+inline constexpr BindingInfo combine_lighting_bindings[] = {
+    {"CombineLightingParameters", 0, BindingKind::uniformBuffer},
+    {"gInLighting", 1, BindingKind::sampledImage},
+    {"gInAmbientLight", 2, BindingKind::sampledImage},
+    {"gInSunLight", 3, BindingKind::sampledImage},
+    {"gInOtherLight", 4, BindingKind::sampledImage},
+    {"gOutLit", 16, BindingKind::storageImage},
+    {"gInLighting_sampler", 33, BindingKind::pointSampler},
+    {"gInAmbientLight_sampler", 34, BindingKind::pointSampler},
+    {"gInSunLight_sampler", 35, BindingKind::pointSampler},
+    {"gInOtherLight_sampler", 36, BindingKind::pointSampler},
+};
+inline constexpr Condition combine_lighting_gInAmbientLight_when[] = {{"LIGHTING", "occlusion"}, {"LIGHTING", "both"}};
+inline constexpr Condition combine_lighting_gInSunLight_when[] = {{"LIGHTING", "shadow"}, {"LIGHTING", "both"}};
+inline constexpr Condition combine_lighting_gInOtherLight_when[] = {{"OTHER_LIGHT", "on"}};
+inline constexpr ImageInfo combine_lighting_inputs[] = {
+    {"gInLighting", "visibility [0,1]: one, or occlusion and shadow", "rg16f", 1.000000f, "", {},
+     ""},
+    {"gInAmbientLight", "linear, scene-referred", "rgba16f", 1.000000f, "", combine_lighting_gInAmbientLight_when,
+     ""},
+    {"gInSunLight", "linear, scene-referred", "rgba16f", 1.000000f, "", combine_lighting_gInSunLight_when,
+     ""},
+    {"gInOtherLight", "linear, scene-referred", "rgba16f", 1.000000f, "", combine_lighting_gInOtherLight_when,
+     ""},
+};
+inline constexpr ImageInfo combine_lighting_outputs[] = {
+    {"gOutLit", "linear, scene-referred", "rgba16f", 1.000000f, "", {},
+     ""},
+};
+inline constexpr PackModule combine_lighting_modules[] = {
+    {"combine_lighting", Stage::fragment,
+     "", ""},
+    {"combine_lighting", Stage::compute,
+     "", ""},
+    {"combine_lighting--lighting-occlusion", Stage::fragment,
+     "", ""},
+    {"combine_lighting--lighting-occlusion", Stage::compute,
+     "", ""},
+    {"combine_lighting--lighting-shadow", Stage::fragment,
+     "", ""},
+    {"combine_lighting--lighting-shadow", Stage::compute,
+     "", ""},
+    {"combine_lighting--other_light-on", Stage::fragment,
+     "", ""},
+    {"combine_lighting--other_light-on", Stage::compute,
+     "", ""},
+};
 inline constexpr Stage temporal_aa_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view temporal_aa_MOTION_values[] = {"off", "on"};
 inline constexpr std::string_view temporal_aa_CLOSEST_FRAGMENT_values[] = {"off", "on"};
@@ -1237,6 +1312,10 @@ inline constexpr PassInfo passes[] = {
      "Wronski, Algorithm overview", obscurance_filter_stages, true,
      {16, 16, 1}, {1, 1}, 48, {},
      obscurance_filter_bindings, obscurance_filter_inputs, obscurance_filter_outputs},
+    {"combine_lighting", "The light of a deferred renderer put together, with its visibility",
+     "Drobot 7.3, Shadows and Ambient Occlusion Combined", combine_lighting_stages, true,
+     {16, 16, 1}, {1, 1}, 16, combine_lighting_switches,
+     combine_lighting_bindings, combine_lighting_inputs, combine_lighting_outputs},
     {"temporal_aa", "Temporal reprojection anti-aliasing",
      "INSIDE, I1 to I9", temporal_aa_stages, true,
      {32, 4, 1}, {1, 6}, 64, temporal_aa_switches,
@@ -1266,6 +1345,7 @@ inline std::span<const PackModule> packModules([[maybe_unused]] std::string_view
     if (pass == "depth_hierarchy") return generated::depth_hierarchy_modules;
     if (pass == "scalable_obscurance") return generated::scalable_obscurance_modules;
     if (pass == "obscurance_filter") return generated::obscurance_filter_modules;
+    if (pass == "combine_lighting") return generated::combine_lighting_modules;
     if (pass == "temporal_aa") return generated::temporal_aa_modules;
     return {};
 }
