@@ -331,6 +331,22 @@ TEST(Plan, scalableObscuranceIsAPlanOfItsOwn) {
     EXPECT_FALSE(tryPlan(lighting(), {.cache = {.occlusion = "sun_shadow"}}));
 }
 
+// The engine's normals at the frame's extent, in the two passes that take them, or nowhere.
+TEST(Plan, normalsAreReadWhereTheEngineHasThem) {
+    const FramePlan with =
+        planned(lighting({.objectsMove = false, .normals = true}), {.cache = {.ratio = 4}});
+    EXPECT_EQ(switchOf(with, "ambient_occlusion", "NORMALS"), "read");
+    EXPECT_EQ(switchOf(with, "bilateral_upsample", "NORMAL_WEIGHTS"), "on");
+    ASSERT_NE(imageOf(with, "gInNormal"), nullptr);
+    EXPECT_TRUE(imageOf(with, "gInNormal")->external);
+    EXPECT_EQ(imageOf(with, "gInNormal")->extent.width, 640u);
+    const FramePlan without = planned(lighting({.objectsMove = false}));
+    EXPECT_EQ(switchOf(without, "ambient_occlusion", "NORMALS"), "reconstructed");
+    EXPECT_EQ(switchOf(without, "bilateral_upsample", "NORMAL_WEIGHTS"), "off");
+    EXPECT_EQ(imageOf(without, "gInNormal"), nullptr);
+    EXPECT_EQ(imageOf(planned({.normals = true}), "gInNormal"), nullptr) << "anti-aliasing asks for none";
+}
+
 TEST(Plan, lightIsCombinedAfterTheFrameworkAndBeforeAntiAliasing) {
     const SceneNeeds needs{.objectsMove = false,
                            .ambientOcclusion = true,

@@ -328,7 +328,7 @@ TEST_P(LightingTest, missingAndMisfitInputsAreNamed) {
     EXPECT_NE(misfit.error().message.find("8x8"), std::string::npos) << misfit.error().message;
 }
 
-// An image of one colour, at half-float's precision.
+// An image of one colour, or one normal, at half-float's precision.
 struct Light {
     Light(Extent extent, glm::vec3 colour)
         : image(testGpu().image(VK_FORMAT_R16G16B16A16_SFLOAT, extent.width, extent.height)) {
@@ -347,6 +347,93 @@ void expectColour(const std::vector<float>& texels, size_t texel, glm::vec3 colo
     for (int c = 0; c < 3; ++c)
         ASSERT_NEAR(texels[4 * texel + static_cast<size_t>(c)], colour[c], 2e-3f * colour[c] + 2e-3f)
             << what << ", texel " << texel << ", channel " << c;
+}
+
+// A wall that the camera faces and normals that lie in it: over a surface that is turned by a right angle
+// half of what is checked lies behind the wall. What lies before it leaves the image sooner and counts less
+// then: up to 0.06, of the tenth of the image on either side that is within the radius of its border. With
+// normals of the wall itself nothing is occluded.
+TEST_P(LightingTest, theEnginesNormalsTurnTheChecks) {
+    for (const Extent extent : {Extent{33, 18}, Extent{64, 48}})
+        for (const uint32_t ratio : {1u, 2u, 4u})
+            for (const bool facing : {false, true}) {
+                auto recorder =
+                    makeRecorder(info(with(with(still, &SceneNeeds::ambientOcclusion), &SceneNeeds::normals),
+                                      extent, {.ratio = ratio}));
+                TestFrame frame(extent);
+                const Light normals(extent,
+                                    facing ? glm::vec3(0.0f, 0.0f, -1.0f) : glm::vec3(0.6f, 0.8f, 0.0f));
+                double mean = 0.0;
+                for (uint64_t n = 0; n < 4; ++n) {
+                    auto input = frame.input(n);
+                    input.normal = normals.image.ref;
+                    input.cache.radius = 0.04f; // a fifth of the surface's depth
+                    input.cache.bias = {5e-4f, 0.0f};
+                    const auto lighting = lightingOf(recorder, input);
+                    const size_t texels = size_t(extent.width) * extent.height,
+                                 channels = lighting.size() / texels;
+                    mean = 0.0;
+                    for (size_t i = 0; i < texels; ++i)
+                        mean += lighting[i * channels] / double(texels);
+                }
+                if (facing)
+                    EXPECT_NEAR(mean, 1.0, 2e-3) << "ratio " << ratio;
+                else
+                    EXPECT_NEAR(mean, 0.5, 0.06) << "ratio " << ratio;
+            }
+}
+
+// Normals that are broken in one frame, all over or in a texel: the lighting is a visibility in that frame,
+// and the one after is that of a wall that the camera faces.
+TEST_P(LightingTest, brokenNormalsAreGoneInTheNextFrame) {
+    const Extent extent{32, 32};
+    const float infinity = std::numeric_limits<float>::infinity();
+    for (const float broken : {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, 0.0f}) {
+        auto recorder = makeRecorder(
+            info(with(with(still, &SceneNeeds::ambientOcclusion), &SceneNeeds::normals), extent));
+        TestFrame frame(extent);
+        Light normals(extent, glm::vec3(0.0f, 0.0f, -1.0f));
+        for (uint64_t n = 0; n < 6; ++n) {
+            normals.fill(n == 3 ? glm::vec3(broken) : glm::vec3(0.0f, 0.0f, -1.0f));
+            auto input = frame.input(n);
+            input.normal = normals.image.ref;
+            const auto lighting = lightingOf(recorder, input);
+            for (size_t i = 0; i < lighting.size(); ++i) {
+                ASSERT_TRUE(lighting[i] >= 0.0f && lighting[i] <= 1.0f) << broken << ", frame " << n;
+                if (n != 3 && i % 2 == 0) {
+                    ASSERT_NEAR(lighting[i], 1.0f, 2e-3f) << broken << ", frame " << n;
+                }
+            }
+        }
+    }
+}
+
+TEST_P(LightingTest, normalsThatAreMissingAreNamed) {
+    const Extent extent{16, 16};
+    auto recorder =
+        makeRecorder(info(with(with(still, &SceneNeeds::ambientOcclusion), &SceneNeeds::normals), extent));
+    TestFrame frame(extent);
+    const Light coarse({8, 8}, glm::vec3(0.0f, 0.0f, -1.0f));
+    for (const bool misfit : {false, true}) {
+        auto input = frame.input(0);
+        if (misfit) input.normal = coarse.image.ref;
+        const auto refused = recordOne(recorder, input);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().code, misfit ? ErrorCode::invalidArgument : ErrorCode::missingInput);
+        EXPECT_NE(refused.error().message.find("FrameInput::normal"), std::string::npos)
+            << refused.error().message;
+    }
+}
+
+// Full resolution with motion vectors, which the cache reads at one texel each.
+TEST_P(LightingTest, fullResolutionTakesMotion) {
+    const Extent extent{33, 17};
+    SceneNeeds needs = with(still, &SceneNeeds::ambientOcclusion);
+    needs.objectsMove = needs.engineWritesMotion = true;
+    auto recorder = makeRecorder(info(needs, extent, {.ratio = 1}));
+    TestFrame frame(extent);
+    for (uint64_t n = 0; n < 2; ++n)
+        EXPECT_EQ(lightingOf(recorder, frame.input(n)).size() % (33 * 17), 0u);
 }
 
 // A value of 1/4, constant in time, and lights: the sum by hand, at every ratio and with every last step.

@@ -131,13 +131,14 @@ struct External {
     const ImageRef* image;
 };
 
-std::array<External, 8> externals(const FrameInput& input) {
+std::array<External, 9> externals(const FrameInput& input) {
     const auto given = [](const std::optional<ImageRef>& image) { return image ? &*image : nullptr; };
     return {{{"gInColour", "FrameInput::colour", &input.colour},
              {"gInDepth", "FrameInput::depth", &input.depth},
              {"gInVelocity", "FrameInput::motion", given(input.motion)},
              {"gInFresh", "FrameInput::fresh", given(input.fresh)},
              {"gInShadowMap", "FrameInput::shadowMap", given(input.shadowMap)},
+             {"gInNormal", "FrameInput::normal", given(input.normal)},
              {"gInAmbientLight", "FrameInput::ambientLight", given(input.ambientLight)},
              {"gInSunLight", "FrameInput::sunLight", given(input.sunLight)},
              {"gInOtherLight", "FrameInput::otherLight", given(input.otherLight)}}};

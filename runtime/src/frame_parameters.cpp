@@ -77,6 +77,7 @@ AmbientOcclusionParameters occlusionParameters(const FrameInput& input, const Ca
     p.gFrameIndex = patternFrame(input);
     p.gSubsetCount = static_cast<float>(input.cache.subsets);
     store(p.gBias, input.cache.bias);
+    store(p.gFrameToCoarse, frameToCoarse(frame));
     return p;
 }
 

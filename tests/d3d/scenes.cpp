@@ -175,7 +175,7 @@ std::vector<Scene> ambientOcclusionScenes(const Variant& variant) {
         const auto frame =
             shared(passes::ambientOcclusionCase(variant, surfaces, size.width, size.height, 65));
         scenes.push_back(sceneOf(size, frame));
-        scenes.back().images = {{"gInCoarseDepth", &frame->depth}, {"gInCoarseNormal", &frame->normal}};
+        scenes.back().images = {{"gInCoarseDepth", &frame->depth}, {"gInNormal", &frame->normal}};
     }
     return scenes;
 }
@@ -212,8 +212,7 @@ std::vector<Scene> bilateralUpsampleScenes(const Variant& variant) {
         scenes.back().images = {{"gInFiltered", &frame->filtered},
                                 {"gInCoarseDepth", &frame->coarseDepth},
                                 {"gInDepth", &frame->depths.depth},
-                                {"gInNormal", &frame->normal},
-                                {"gInCoarseNormal", &frame->coarseNormal}};
+                                {"gInNormal", &frame->normal}};
     }
     return scenes;
 }

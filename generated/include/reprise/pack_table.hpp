@@ -84,7 +84,7 @@ struct alignas(16) AmbientOcclusionParameters {
     float gSubsetCount;
     float pad0[1];
     float gBias[2];   // float2
-    float pad1[2];
+    float gFrameToCoarse[2];   // float2
 };
 static_assert(sizeof(AmbientOcclusionParameters) == 64);
 static_assert(offsetof(AmbientOcclusionParameters, gOutputSize) == 0);
@@ -93,13 +93,14 @@ static_assert(offsetof(AmbientOcclusionParameters, gRadius) == 32);
 static_assert(offsetof(AmbientOcclusionParameters, gFrameIndex) == 36);
 static_assert(offsetof(AmbientOcclusionParameters, gSubsetCount) == 40);
 static_assert(offsetof(AmbientOcclusionParameters, gBias) == 48);
+static_assert(offsetof(AmbientOcclusionParameters, gFrameToCoarse) == 56);
 namespace bindings::ambient_occlusion {
 inline constexpr uint32_t AmbientOcclusionParameters = 0;
 inline constexpr uint32_t gInCoarseDepth = 1;
-inline constexpr uint32_t gInCoarseNormal = 2;
+inline constexpr uint32_t gInNormal = 2;
 inline constexpr uint32_t gOutOcclusion = 16;
 inline constexpr uint32_t gInCoarseDepth_sampler = 33;
-inline constexpr uint32_t gInCoarseNormal_sampler = 34;
+inline constexpr uint32_t gInNormal_sampler = 34;
 }
 
 // sun_shadow: Soft shadows of the sun from a cascaded shadow map with few samples a frame
@@ -235,13 +236,11 @@ inline constexpr uint32_t gInFiltered = 1;
 inline constexpr uint32_t gInCoarseDepth = 2;
 inline constexpr uint32_t gInDepth = 3;
 inline constexpr uint32_t gInNormal = 4;
-inline constexpr uint32_t gInCoarseNormal = 5;
 inline constexpr uint32_t gOutUpsampled = 16;
 inline constexpr uint32_t gInFiltered_sampler = 33;
 inline constexpr uint32_t gInCoarseDepth_sampler = 34;
 inline constexpr uint32_t gInDepth_sampler = 35;
 inline constexpr uint32_t gInNormal_sampler = 36;
-inline constexpr uint32_t gInCoarseNormal_sampler = 37;
 }
 
 // depth_hierarchy: Linear depth at five resolutions in one image
@@ -529,24 +528,24 @@ inline constexpr std::string_view ambient_occlusion_ORTHOGRAPHIC_values[] = {"of
 inline constexpr SwitchInfo ambient_occlusion_switches[] = {
     {"SAMPLES", ambient_occlusion_SAMPLES_values, 2, "",
      "occlusion checks a pixel and frame, one read each", {}},
-    {"NORMALS", ambient_occlusion_NORMALS_values, 0, "coarse normals are at hand",
-     "normals from depth, or from gInCoarseNormal", {}},
+    {"NORMALS", ambient_occlusion_NORMALS_values, 0, "the engine hands over normals",
+     "normals from depth, or from gInNormal", {}},
     {"ORTHOGRAPHIC", ambient_occlusion_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
      "rays are parallel", {}},
 };
 inline constexpr BindingInfo ambient_occlusion_bindings[] = {
     {"AmbientOcclusionParameters", 0, BindingKind::uniformBuffer},
     {"gInCoarseDepth", 1, BindingKind::sampledImage},
-    {"gInCoarseNormal", 2, BindingKind::sampledImage},
+    {"gInNormal", 2, BindingKind::sampledImage},
     {"gOutOcclusion", 16, BindingKind::storageImage},
     {"gInCoarseDepth_sampler", 33, BindingKind::pointSampler},
-    {"gInCoarseNormal_sampler", 34, BindingKind::pointSampler},
+    {"gInNormal_sampler", 34, BindingKind::pointSampler},
 };
-inline constexpr Condition ambient_occlusion_gInCoarseNormal_when[] = {{"NORMALS", "read"}};
+inline constexpr Condition ambient_occlusion_gInNormal_when[] = {{"NORMALS", "read"}};
 inline constexpr ImageInfo ambient_occlusion_inputs[] = {
     {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
      ""},
-    {"gInCoarseNormal", "view space, towards the camera", "rgba16f", 0.500000f, "", ambient_occlusion_gInCoarseNormal_when,
+    {"gInNormal", "view space, towards the camera", "rgba16f", 1.000000f, "", ambient_occlusion_gInNormal_when,
      ""},
 };
 inline constexpr ImageInfo ambient_occlusion_outputs[] = {
@@ -829,7 +828,7 @@ inline constexpr std::string_view bilateral_upsample_ORTHOGRAPHIC_values[] = {"o
 inline constexpr SwitchInfo bilateral_upsample_switches[] = {
     {"RATIO", bilateral_upsample_RATIO_values, 0, "",
      "texels of the full image per coarse texel, along an axis", {}},
-    {"NORMAL_WEIGHTS", bilateral_upsample_NORMAL_WEIGHTS_values, 0, "normals are at hand at both resolutions",
+    {"NORMAL_WEIGHTS", bilateral_upsample_NORMAL_WEIGHTS_values, 0, "the engine hands over normals",
      "samples are weighed by the likeness of their normals too", {}},
     {"VALUES", bilateral_upsample_VALUES_values, 0, "occlusion and shadow share a channel",
      "one value, or occlusion and shadow packed in one, in either order", {}},
@@ -844,16 +843,13 @@ inline constexpr BindingInfo bilateral_upsample_bindings[] = {
     {"gInCoarseDepth", 2, BindingKind::sampledImage},
     {"gInDepth", 3, BindingKind::sampledImage},
     {"gInNormal", 4, BindingKind::sampledImage},
-    {"gInCoarseNormal", 5, BindingKind::sampledImage},
     {"gOutUpsampled", 16, BindingKind::storageImage},
     {"gInFiltered_sampler", 33, BindingKind::pointSampler},
     {"gInCoarseDepth_sampler", 34, BindingKind::pointSampler},
     {"gInDepth_sampler", 35, BindingKind::pointSampler},
     {"gInNormal_sampler", 36, BindingKind::pointSampler},
-    {"gInCoarseNormal_sampler", 37, BindingKind::pointSampler},
 };
 inline constexpr Condition bilateral_upsample_gInNormal_when[] = {{"NORMAL_WEIGHTS", "on"}};
-inline constexpr Condition bilateral_upsample_gInCoarseNormal_when[] = {{"NORMAL_WEIGHTS", "on"}};
 inline constexpr ImageInfo bilateral_upsample_inputs[] = {
     {"gInFiltered", "value, or packed pair, in the first", "rgba16f", 0.500000f, "", {},
      ""},
@@ -862,8 +858,6 @@ inline constexpr ImageInfo bilateral_upsample_inputs[] = {
     {"gInDepth", "device depth [0,1], or metres with DEPTH_LINEAR", "r32f", 1.000000f, "", {},
      ""},
     {"gInNormal", "view space, unit", "rgba16f", 1.000000f, "", bilateral_upsample_gInNormal_when,
-     ""},
-    {"gInCoarseNormal", "view space, unit", "rgba16f", 0.500000f, "", bilateral_upsample_gInCoarseNormal_when,
      ""},
 };
 inline constexpr ImageInfo bilateral_upsample_outputs[] = {

@@ -74,6 +74,8 @@ struct FrameInput {
     std::span<const ShadowCascade> cascades;
     // With needs.cachedValue: RG16F of ceil(extent / ratio) texels, the value and its linear depth in metres.
     std::optional<ImageRef> fresh;
+    // With needs.normals: view space, unit, towards the camera; RGBA16F at the frame's extent.
+    std::optional<ImageRef> normal;
     // With needs.combinesLighting, linear and already multiplied by the albedo, RGBA16F: the indirect light,
     // with occlusion or a cached value; the sun's as if nothing stood before it, with sunShadows; the rest,
     // with needs.otherLight.

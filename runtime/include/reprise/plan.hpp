@@ -22,6 +22,7 @@ struct SceneNeeds {
     bool ambientOcclusion = false;
     bool sunShadows = false;
     bool reversedShadows = false; // depth of the shadow map is reversed
+    bool normals = false;         // the engine's normals, FrameInput::normal, in occlusion and upsampling
     bool cachedValue = false;     // a value of the engine's, FrameInput::fresh, without the two above
     // The engine hands over its light in parts and the plan puts them together with what is cached; the value
     // of cachedValue counts as an occlusion. Anti-aliasing then takes that colour.
