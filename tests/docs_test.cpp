@@ -55,7 +55,7 @@ const reprisec::Pack& pack() {
 }
 
 std::string pageOf(const PassInfo& pass) {
-    if (pass.name == "temporal_aa" || pass.name == "sun_shadow")
+    if (pass.name == "temporal_aa" || pass.name == "sun_shadow" || pass.name == "combine_lighting")
         return readText("docs/" + std::string(pass.name) + ".md");
     if (pass.name == "depth_hierarchy" || pass.name == "scalable_obscurance" ||
         pass.name == "obscurance_filter")

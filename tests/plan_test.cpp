@@ -264,14 +264,15 @@ TEST(Plan, historyIsFoundAsTheSceneAllows) {
     EXPECT_NE(reasonFor(camera, "reprojection_cache: HISTORY"), "");
 }
 
+// Image that a pass reads as this input.
+std::string source(const FramePlan& plan, size_t pass, std::string_view input) {
+    const PlannedPass& planned = plan.passes[pass];
+    for (size_t i = 0; i < planned.reads.size(); ++i)
+        if (planned.reads[i] == input) return plan.images[static_cast<size_t>(planned.readImages[i])].name;
+    return "nothing";
+}
+
 TEST(Plan, eachStepReadsWhatTheOneBeforeWrote) {
-    const auto source = [](const FramePlan& plan, size_t pass, std::string_view input) -> std::string {
-        const PlannedPass& planned = plan.passes[pass];
-        for (size_t i = 0; i < planned.reads.size(); ++i)
-            if (planned.reads[i] == input)
-                return plan.images[static_cast<size_t>(planned.readImages[i])].name;
-        return "nothing";
-    };
     const SceneNeeds needs = lighting({.objectsMove = false});
     for (const bool filtersHistory : {false, true}) {
         const FramePlan plan = planned(needs, {.cache = {.filtersHistory = filtersHistory}});
@@ -328,6 +329,88 @@ TEST(Plan, scalableObscuranceIsAPlanOfItsOwn) {
     EXPECT_EQ(switchOf(alone, "scalable_obscurance", "TEMPORAL"), "off");
     EXPECT_FALSE(tryPlan(lighting({.sunShadows = true}), {.cache = cache}));
     EXPECT_FALSE(tryPlan(lighting(), {.cache = {.occlusion = "sun_shadow"}}));
+}
+
+// The engine's normals at the frame's extent, in the two passes that take them, or nowhere.
+TEST(Plan, normalsAreReadWhereTheEngineHasThem) {
+    const FramePlan with =
+        planned(lighting({.objectsMove = false, .normals = true}), {.cache = {.ratio = 4}});
+    EXPECT_EQ(switchOf(with, "ambient_occlusion", "NORMALS"), "read");
+    EXPECT_EQ(switchOf(with, "bilateral_upsample", "NORMAL_WEIGHTS"), "on");
+    ASSERT_NE(imageOf(with, "gInNormal"), nullptr);
+    EXPECT_TRUE(imageOf(with, "gInNormal")->external);
+    EXPECT_EQ(imageOf(with, "gInNormal")->extent.width, 640u);
+    const FramePlan without = planned(lighting({.objectsMove = false}));
+    EXPECT_EQ(switchOf(without, "ambient_occlusion", "NORMALS"), "reconstructed");
+    EXPECT_EQ(switchOf(without, "bilateral_upsample", "NORMAL_WEIGHTS"), "off");
+    EXPECT_EQ(imageOf(without, "gInNormal"), nullptr);
+    EXPECT_EQ(imageOf(planned({.normals = true}), "gInNormal"), nullptr) << "anti-aliasing asks for none";
+}
+
+TEST(Plan, lightIsCombinedAfterTheFrameworkAndBeforeAntiAliasing) {
+    const SceneNeeds needs{.objectsMove = false,
+                           .ambientOcclusion = true,
+                           .sunShadows = true,
+                           .combinesLighting = true,
+                           .otherLight = true};
+    const FramePlan plan = planned(needs);
+    EXPECT_EQ(passNames(plan),
+              (Names{"camera_velocity", "depth_downsample", "ambient_occlusion", "sun_shadow",
+                     "reprojection_cache", "bilateral_filter", "bilateral_filter", "bilateral_upsample",
+                     "combine_lighting", "temporal_aa"}));
+    EXPECT_EQ(source(plan, 8, "gInLighting"), "gOutUpsampled");
+    EXPECT_EQ(source(plan, 9, "gInColour"), "gOutLit");
+    EXPECT_EQ(imageOf(plan, "gInColour"), nullptr) << "the engine hands over no colour";
+    EXPECT_EQ(switchOf(plan, "combine_lighting", "LIGHTING"), "both");
+    for (const char* light : {"gInAmbientLight", "gInSunLight", "gInOtherLight"}) {
+        ASSERT_NE(imageOf(plan, light), nullptr) << light;
+        EXPECT_TRUE(imageOf(plan, light)->external) << light;
+    }
+    const FramePlan without = planned({.ambientOcclusion = true});
+    EXPECT_NE(reasonFor(without, "combine_lighting"), "");
+    EXPECT_TRUE(imageOf(without, "gInColour")->external);
+}
+
+// One visibility takes away from one light, and the others are not asked for.
+TEST(Plan, whatIsNotCachedAsksForNoLight) {
+    const auto combined = [](SceneNeeds needs) {
+        needs.antiAliasing = false;
+        needs.objectsMove = false;
+        needs.combinesLighting = true;
+        return planned(needs);
+    };
+    for (const SceneNeeds needs : {SceneNeeds{.ambientOcclusion = true}, SceneNeeds{.cachedValue = true}}) {
+        const FramePlan plan = combined(needs);
+        EXPECT_EQ(passNames(plan).back(), "combine_lighting");
+        EXPECT_EQ(switchOf(plan, "combine_lighting", "LIGHTING"), "occlusion");
+        EXPECT_NE(imageOf(plan, "gInAmbientLight"), nullptr);
+        EXPECT_EQ(imageOf(plan, "gInSunLight"), nullptr);
+        EXPECT_EQ(imageOf(plan, "gInOtherLight"), nullptr);
+        EXPECT_EQ(switchOf(plan, "combine_lighting", "OTHER_LIGHT"), "off");
+    }
+    const FramePlan sun = combined({.sunShadows = true});
+    EXPECT_EQ(switchOf(sun, "combine_lighting", "LIGHTING"), "shadow");
+    EXPECT_EQ(imageOf(sun, "gInAmbientLight"), nullptr);
+    EXPECT_NE(imageOf(sun, "gInSunLight"), nullptr);
+}
+
+// Whichever step is the last, its image is what light is combined with.
+TEST(Plan, lightIsCombinedWithTheLastStepThatThereIs) {
+    const auto combinedWith = [](const CacheSettings& cache, SceneNeeds needs = lighting()) {
+        needs.objectsMove = false;
+        needs.combinesLighting = true;
+        const FramePlan plan = planned(needs, {.cache = cache});
+        return source(plan, plan.passes.size() - 1, "gInLighting");
+    };
+    EXPECT_EQ(combinedWith({.filter = false}), "gOutUpsampled");
+    EXPECT_EQ(combinedWith({.ratio = 1}), "gOutFiltered");
+    EXPECT_EQ(combinedWith({.ratio = 1, .filter = false}), "gOutCache");
+    EXPECT_EQ(combinedWith({.ratio = 1, .history = false, .filter = false}), "gOutOcclusion");
+    const SceneNeeds value{.antiAliasing = false, .cachedValue = true};
+    EXPECT_EQ(combinedWith({.ratio = 1, .history = false, .filter = false}, value), "gInFresh");
+    EXPECT_EQ(combinedWith({.occlusion = "scalable_obscurance", .samples = 7}), "gOutFilteredObscurance");
+    EXPECT_EQ(combinedWith({.occlusion = "scalable_obscurance", .samples = 7, .filter = false}),
+              "gOutObscurance");
 }
 
 // At a ratio of 1 the last step's image is the lighting.
@@ -389,6 +472,7 @@ TEST(Plan, mistakesOfTheCacheAreSentences) {
     EXPECT_TRUE(says(tryPlan(lighting({.sunShadows = true}), {.cache = {.cascades = 5}}), "CASCADES"));
     EXPECT_TRUE(says(tryPlan(lighting(), {.cache = {.samples = 5}}), "SAMPLES"));
     EXPECT_TRUE(says(tryPlan(lighting({.cachedValue = true})), "a recorder for each"));
+    EXPECT_TRUE(says(tryPlan({.combinesLighting = true}), "combinesLighting"));
 }
 
 PlannedImage transient(std::string name, int first, int last, uint64_t bytes) {

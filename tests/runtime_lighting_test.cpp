@@ -328,6 +328,253 @@ TEST_P(LightingTest, missingAndMisfitInputsAreNamed) {
     EXPECT_NE(misfit.error().message.find("8x8"), std::string::npos) << misfit.error().message;
 }
 
+// An image of one colour, or one normal, at half-float's precision.
+struct Light {
+    Light(Extent extent, glm::vec3 colour)
+        : image(testGpu().image(VK_FORMAT_R16G16B16A16_SFLOAT, extent.width, extent.height)) {
+        fill(colour);
+    }
+    void fill(glm::vec3 colour) {
+        std::vector<float> texels;
+        for (uint32_t i = 0; i < image.ref.extent.width * image.ref.extent.height; ++i)
+            texels.insert(texels.end(), {colour.r, colour.g, colour.b, 1.0f});
+        testGpu().uploadFloats(image, texels);
+    }
+    harness::Image image;
+};
+
+void expectColour(const std::vector<float>& texels, size_t texel, glm::vec3 colour, const char* what) {
+    for (int c = 0; c < 3; ++c)
+        ASSERT_NEAR(texels[4 * texel + static_cast<size_t>(c)], colour[c], 2e-3f * colour[c] + 2e-3f)
+            << what << ", texel " << texel << ", channel " << c;
+}
+
+// A wall that the camera faces and normals that lie in it: over a surface that is turned by a right angle
+// half of what is checked lies behind the wall. What lies before it leaves the image sooner and counts less
+// then: up to 0.06, of the tenth of the image on either side that is within the radius of its border. With
+// normals of the wall itself nothing is occluded.
+TEST_P(LightingTest, theEnginesNormalsTurnTheChecks) {
+    for (const Extent extent : {Extent{33, 18}, Extent{64, 48}})
+        for (const uint32_t ratio : {1u, 2u, 4u})
+            for (const bool facing : {false, true}) {
+                auto recorder =
+                    makeRecorder(info(with(with(still, &SceneNeeds::ambientOcclusion), &SceneNeeds::normals),
+                                      extent, {.ratio = ratio}));
+                TestFrame frame(extent);
+                const Light normals(extent,
+                                    facing ? glm::vec3(0.0f, 0.0f, -1.0f) : glm::vec3(0.6f, 0.8f, 0.0f));
+                double mean = 0.0;
+                for (uint64_t n = 0; n < 4; ++n) {
+                    auto input = frame.input(n);
+                    input.normal = normals.image.ref;
+                    input.cache.radius = 0.04f; // a fifth of the surface's depth
+                    input.cache.bias = {5e-4f, 0.0f};
+                    const auto lighting = lightingOf(recorder, input);
+                    const size_t texels = size_t(extent.width) * extent.height,
+                                 channels = lighting.size() / texels;
+                    mean = 0.0;
+                    for (size_t i = 0; i < texels; ++i)
+                        mean += lighting[i * channels] / double(texels);
+                }
+                if (facing)
+                    EXPECT_NEAR(mean, 1.0, 2e-3) << "ratio " << ratio;
+                else
+                    EXPECT_NEAR(mean, 0.5, 0.06) << "ratio " << ratio;
+            }
+}
+
+// Normals that are broken in one frame, all over or in a texel: the lighting is a visibility in that frame,
+// and the one after is that of a wall that the camera faces.
+TEST_P(LightingTest, brokenNormalsAreGoneInTheNextFrame) {
+    const Extent extent{32, 32};
+    const float infinity = std::numeric_limits<float>::infinity();
+    for (const float broken : {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, 0.0f}) {
+        auto recorder = makeRecorder(
+            info(with(with(still, &SceneNeeds::ambientOcclusion), &SceneNeeds::normals), extent));
+        TestFrame frame(extent);
+        Light normals(extent, glm::vec3(0.0f, 0.0f, -1.0f));
+        for (uint64_t n = 0; n < 6; ++n) {
+            normals.fill(n == 3 ? glm::vec3(broken) : glm::vec3(0.0f, 0.0f, -1.0f));
+            auto input = frame.input(n);
+            input.normal = normals.image.ref;
+            const auto lighting = lightingOf(recorder, input);
+            for (size_t i = 0; i < lighting.size(); ++i) {
+                ASSERT_TRUE(lighting[i] >= 0.0f && lighting[i] <= 1.0f) << broken << ", frame " << n;
+                if (n != 3 && i % 2 == 0) {
+                    ASSERT_NEAR(lighting[i], 1.0f, 2e-3f) << broken << ", frame " << n;
+                }
+            }
+        }
+    }
+}
+
+TEST_P(LightingTest, normalsThatAreMissingAreNamed) {
+    const Extent extent{16, 16};
+    auto recorder =
+        makeRecorder(info(with(with(still, &SceneNeeds::ambientOcclusion), &SceneNeeds::normals), extent));
+    TestFrame frame(extent);
+    const Light coarse({8, 8}, glm::vec3(0.0f, 0.0f, -1.0f));
+    for (const bool misfit : {false, true}) {
+        auto input = frame.input(0);
+        if (misfit) input.normal = coarse.image.ref;
+        const auto refused = recordOne(recorder, input);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().code, misfit ? ErrorCode::invalidArgument : ErrorCode::missingInput);
+        EXPECT_NE(refused.error().message.find("FrameInput::normal"), std::string::npos)
+            << refused.error().message;
+    }
+}
+
+// Full resolution with motion vectors, which the cache reads at one texel each.
+TEST_P(LightingTest, fullResolutionTakesMotion) {
+    const Extent extent{33, 17};
+    SceneNeeds needs = with(still, &SceneNeeds::ambientOcclusion);
+    needs.objectsMove = needs.engineWritesMotion = true;
+    auto recorder = makeRecorder(info(needs, extent, {.ratio = 1}));
+    TestFrame frame(extent);
+    for (uint64_t n = 0; n < 2; ++n)
+        EXPECT_EQ(lightingOf(recorder, frame.input(n)).size() % (33 * 17), 0u);
+}
+
+// A value of 1/4, constant in time, and lights: the sum by hand, at every ratio and with every last step.
+TEST_P(LightingTest, theEnginesLightsAreCombinedWithACachedValue) {
+    const Extent extent{17, 9};
+    const glm::vec3 ambient(0.8f, 0.4f, 12.0f), other(0.1f, 3.0f, 0.0f);
+    for (const uint32_t ratio : {1u, 2u, 4u})
+        for (int bits = 0; bits < 8; ++bits) {
+            SceneNeeds needs = with(with(still, &SceneNeeds::cachedValue), &SceneNeeds::combinesLighting);
+            needs.otherLight = bits & 1;
+            auto recorder = makeRecorder(
+                info(needs, extent, {.ratio = ratio, .history = (bits & 2) != 0, .filter = (bits & 4) != 0}));
+            TestFrame frame(extent);
+            FreshValue fresh(extent, ratio);
+            fresh.fill(0.25f, surfaceDepth);
+            const Light ambientLight(extent, ambient), otherLight(extent, other);
+            for (uint64_t n = 0; n < 2; ++n) {
+                auto input = frame.input(n);
+                input.fresh = fresh.image.ref;
+                input.ambientLight = ambientLight.image.ref;
+                input.otherLight = otherLight.image.ref;
+                const auto output = recordOne(recorder, input);
+                ASSERT_TRUE(output) << output.error().message;
+                ASSERT_TRUE(output->lit);
+                const auto lit = downloadRef(*output->lit);
+                for (size_t i = 0; i < lit.size() / 4; ++i)
+                    expectColour(lit, i, 0.25f * ambient + (needs.otherLight ? other : glm::vec3(0.0f)),
+                                 "lit");
+            }
+        }
+}
+
+// The wall whose left half stands in the sun, combined, and then blended by anti-aliasing with a history that
+// weighs 3/4: the second frame is a quarter of its own light and three of the first's. No colour is handed
+// over.
+TEST_P(LightingTest, combinedLightIsAntiAliased) {
+    const Extent extent{64, 32};
+    TestFrame frame(extent);
+    harness::Image map = testGpu().image(VK_FORMAT_R32_SFLOAT, 256, 256);
+    std::vector<float> depths;
+    for (int i = 0; i < 256 * 256; ++i)
+        depths.push_back(i % 256 < 128 ? 1.0f : 0.0f);
+    testGpu().uploadFloats(map, depths);
+    ShadowCascade cascade;
+    cascade.farDepth = 100.0;
+    cascade.worldToClip = glm::dmat4(1.0);
+    SceneNeeds needs = with(with(still, &SceneNeeds::sunShadows), &SceneNeeds::combinesLighting);
+    needs.ambientOcclusion = true;
+    auto wanted = info(needs, extent, {.cascades = 1});
+    wanted.needs.antiAliasing = true;
+    wanted.settings.overrides = plainBlend();
+    auto recorder = makeRecorder(wanted);
+    const glm::vec3 ambient(0.25f, 0.5f, 0.75f), sun(2.0f, 1.0f, 0.5f);
+    Light ambientLight(extent, ambient);
+    const Light sunLight(extent, sun);
+    for (uint64_t n = 0; n < 2; ++n) {
+        ambientLight.fill(n == 0 ? ambient : glm::vec3(0.0f));
+        auto input = frame.input(n);
+        input.colour = {};
+        input.shadowMap = map.ref;
+        input.cascades = {&cascade, 1};
+        input.cache.shadow.radius = 0.01;
+        input.ambientLight = ambientLight.image.ref;
+        input.sunLight = sunLight.image.ref;
+        input.tuning = TaaTuning{.feedbackMin = 0.75f, .feedbackMax = 0.75f};
+        const auto output = recordOne(recorder, input);
+        ASSERT_TRUE(output) << output.error().message;
+        ASSERT_TRUE(output->lit);
+        const auto lit = downloadRef(*output->lit), colour = downloadRef(output->colour);
+        for (size_t i = 0; i < lit.size() / 4; ++i) {
+            const size_t x = i % extent.width;
+            if (x > 19 && x < 44) continue; // reach of the disc, of eight pixels of filter, and of upsampling
+            const glm::vec3 direct = x < 32 ? sun : glm::vec3(0.0f);
+            expectColour(lit, i, direct + (n == 0 ? ambient : glm::vec3(0.0f)), "lit");
+            expectColour(colour, i, direct + (n == 0 ? 1.0f : 0.75f) * ambient, "colour");
+        }
+    }
+}
+
+TEST_P(LightingTest, lightsThatAreMissingAreNamed) {
+    const Extent extent{16, 16};
+    SceneNeeds needs = with(with(still, &SceneNeeds::ambientOcclusion), &SceneNeeds::combinesLighting);
+    needs.sunShadows = needs.otherLight = true;
+    auto recorder = makeRecorder(info(needs, extent, {.cascades = 1}));
+    TestFrame frame(extent);
+    harness::Image map = testGpu().image(VK_FORMAT_R32_SFLOAT, 8, 8);
+    testGpu().uploadFloats(map, std::vector<float>(64, 1.0f));
+    const ShadowCascade cascade{glm::dmat4(1.0), 10.0};
+    const Light light(extent, glm::vec3(1.0f)), small({8, 16}, glm::vec3(1.0f));
+    const std::pair<std::optional<ImageRef> FrameInput::*, const char*> lights[] = {
+        {&FrameInput::ambientLight, "FrameInput::ambientLight"},
+        {&FrameInput::sunLight, "FrameInput::sunLight"},
+        {&FrameInput::otherLight, "FrameInput::otherLight"}};
+    const auto input = [&] {
+        auto made = frame.input(0);
+        made.shadowMap = map.ref;
+        made.cascades = {&cascade, 1};
+        for (const auto& [field, name] : lights)
+            made.*field = light.image.ref;
+        return made;
+    };
+    for (const auto& [field, name] : lights)
+        for (const bool misfit : {false, true}) {
+            auto wrong = input();
+            wrong.*field = misfit ? std::optional(small.image.ref) : std::nullopt;
+            const auto refused = recordOne(recorder, wrong);
+            ASSERT_FALSE(refused) << name;
+            EXPECT_EQ(refused.error().code, misfit ? ErrorCode::invalidArgument : ErrorCode::missingInput);
+            EXPECT_NE(refused.error().message.find(name), std::string::npos) << refused.error().message;
+        }
+    EXPECT_TRUE(recordOne(recorder, input()));
+}
+
+// A light that is broken all over for a frame shows in that frame alone, and bounded.
+TEST_P(LightingTest, brokenLightIsGoneInTheNextFrame) {
+    const Extent extent{16, 16};
+    const float infinity = std::numeric_limits<float>::infinity();
+    for (const float broken : {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity}) {
+        auto wanted =
+            info(with(with(still, &SceneNeeds::ambientOcclusion), &SceneNeeds::combinesLighting), extent);
+        wanted.needs.antiAliasing = true;
+        auto recorder = makeRecorder(wanted);
+        TestFrame frame(extent);
+        Light ambientLight(extent, glm::vec3(0.5f));
+        for (uint64_t n = 0; n < 4; ++n) {
+            ambientLight.fill(glm::vec3(n == 2 ? broken : 0.5f));
+            auto input = frame.input(n);
+            input.ambientLight = ambientLight.image.ref;
+            const auto output = recordOne(recorder, input);
+            ASSERT_TRUE(output) << output.error().message;
+            for (const ImageRef& image : {*output->lit, output->colour})
+                for (const float each : downloadRef(image)) {
+                    ASSERT_TRUE(each >= 0.0f && each <= 65504.0f) << broken << ", frame " << n;
+                    if (n != 2) {
+                        ASSERT_TRUE(std::abs(each - 0.5f) < 2e-3f || each == 1.0f) << broken << ": " << each;
+                    }
+                }
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Stages, LightingTest, testing::Values(Stage::fragment, Stage::compute),
                          [](const auto& each) {
                              return each.param == Stage::fragment ? "fragment" : "compute";

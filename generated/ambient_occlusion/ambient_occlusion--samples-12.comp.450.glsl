@@ -9,6 +9,7 @@ layout(binding = 0, std140) uniform AmbientOcclusionParameters
     float gFrameIndex;
     float gSubsetCount;
     vec2 gBias;
+    vec2 gFrameToCoarse;
 } parameters;
 
 layout(binding = 16) uniform writeonly image2D gOutOcclusion;

@@ -10,6 +10,7 @@ layout(std140) uniform AmbientOcclusionParameters
     float gFrameIndex;
     float gSubsetCount;
     vec2 gBias;
+    vec2 gFrameToCoarse;
 } parameters;
 
 uniform highp sampler2D gInCoarseDepth;

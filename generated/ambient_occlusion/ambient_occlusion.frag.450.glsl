@@ -8,6 +8,7 @@ layout(binding = 0, std140) uniform AmbientOcclusionParameters
     float gFrameIndex;
     float gSubsetCount;
     vec2 gBias;
+    vec2 gFrameToCoarse;
 } parameters;
 
 layout(binding = 1) uniform sampler2D gInCoarseDepth;

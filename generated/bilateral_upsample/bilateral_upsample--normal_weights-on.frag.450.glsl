@@ -11,7 +11,6 @@ layout(binding = 0, std140) uniform BilateralUpsampleParameters
 
 layout(binding = 1) uniform sampler2D gInFiltered;
 layout(binding = 2) uniform sampler2D gInCoarseDepth;
-layout(binding = 5) uniform sampler2D gInCoarseNormal;
 layout(binding = 4) uniform sampler2D gInNormal;
 layout(binding = 3) uniform sampler2D gInDepth;
 
@@ -19,39 +18,39 @@ layout(location = 0) out vec4 gOutUpsampled;
 
 void main()
 {
-    vec2 _69 = gl_FragCoord.xy * parameters.gOutputSize.zw;
-    vec2 _73 = fma(gl_FragCoord.xy, vec2(0.5), vec2(-0.5));
-    vec2 _74 = floor(_73);
-    vec2 _75 = _73 - _74;
-    vec2 _76 = vec2(1.0) - _75;
-    vec2 _77 = max(parameters.gCoarseSize.xy, vec2(1.0));
-    vec2 _78 = _77 - vec2(1.0);
-    vec2 _81 = (clamp(_74, vec2(0.0), _78) + vec2(0.5)) / _77;
-    vec2 _82 = _74 + vec2(1.0);
-    vec2 _85 = (clamp(_82, vec2(0.0), _78) + vec2(0.5)) / _77;
-    float _92 = _76.x;
-    float _93 = _75.x;
-    vec2 _102 = _82 * parameters.gCoarseSize.zw;
-    vec4 _105 = textureGather(gInFiltered, _102).wzxy;
-    vec4 _108 = mix(vec4(1.9999999360571384930131252153835e+38), _105, lessThanEqual(abs(_105), vec4(65504.0)));
-    vec3 _132 = textureLod(gInNormal, _69, 0.0).xyz;
-    float _136 = min(dot(textureLod(gInCoarseNormal, _81, 0.0).xyz, _132), 1.0);
-    float _139 = min(parameters.gContrast, 256.0);
-    bool _142 = parameters.gContrast > 0.0;
-    float _145 = min(dot(textureLod(gInCoarseNormal, vec2(_85.x, _81.y), 0.0).xyz, _132), 1.0);
-    float _152 = min(dot(textureLod(gInCoarseNormal, vec2(_81.x, _85.y), 0.0).xyz, _132), 1.0);
-    float _159 = min(dot(textureLod(gInCoarseNormal, _85, 0.0).xyz, _132), 1.0);
-    vec4 _169 = textureLod(gInDepth, _69, 0.0);
-    float _170 = _169.x;
-    float _180 = 1.0 / max(fma(_170, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-    vec4 _191 = vec4(lessThanEqual(abs(_108), vec4(9.9999996802856924650656260769173e+37)));
-    vec4 _194 = abs(vec4((abs(_170 - 0.5) <= 0.5) ? (((_180 > 0.0) && (_180 < min(parameters.gSkyDepth, 65504.0))) ? _180 : 65504.0) : 65504.0) - textureGather(gInCoarseDepth, _102).wzxy);
-    bvec4 _202 = greaterThan(_191 * vec4(lessThanEqual(abs(_194), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-    vec4 _203 = mix(vec4(0.0), ((vec4(_92, _93, _92, _93) * vec4(_76.yy, _75.yy)) * vec4(_142 ? ((_136 > 0.0) ? pow(abs(_136), _139) : 0.0) : 1.0, _142 ? ((_145 > 0.0) ? pow(abs(_145), _139) : 0.0) : 1.0, _142 ? ((_152 > 0.0) ? pow(abs(_152), _139) : 0.0) : 1.0, _142 ? ((_159 > 0.0) ? pow(abs(_159), _139) : 0.0) : 1.0)) / (vec4(9.9999997473787516355514526367188e-05) + _194), _202);
-    vec4 _205 = mix(vec4(0.0), _203, greaterThan(_203, vec4(0.0)));
-    float _206 = dot(_205, vec4(1.0));
-    vec4 _207 = mix(vec4(1.9999999360571384930131252153835e+38), _194, _202);
-    vec4 _217 = mix(vec4(0.0), _191, lessThanEqual(_207, vec4(min(min(_207.x, _207.y), min(_207.z, _207.w)))));
-    gOutUpsampled = vec4(dot(mix(vec4(0.0), _108, greaterThan(_191, vec4(0.5))), mix(_217 / vec4(max(dot(_217, vec4(1.0)), 1.0)), _205 / vec4(_206), bvec4((_206 >= 1.0000000031710768509710513471353e-30) && (_206 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0);
+    vec2 _70 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec2 _74 = fma(gl_FragCoord.xy, vec2(0.5), vec2(-0.5));
+    vec2 _75 = floor(_74);
+    vec2 _76 = _74 - _75;
+    vec2 _77 = vec2(1.0) - _76;
+    vec2 _78 = max(parameters.gCoarseSize.xy, vec2(1.0));
+    vec2 _79 = _78 - vec2(1.0);
+    vec2 _82 = (clamp(_75, vec2(0.0), _79) + vec2(0.5)) / _78;
+    vec2 _83 = _75 + vec2(1.0);
+    vec2 _86 = (clamp(_83, vec2(0.0), _79) + vec2(0.5)) / _78;
+    float _93 = _77.x;
+    float _94 = _76.x;
+    vec2 _103 = _83 * parameters.gCoarseSize.zw;
+    vec4 _106 = textureGather(gInFiltered, _103).wzxy;
+    vec4 _109 = mix(vec4(1.9999999360571384930131252153835e+38), _106, lessThanEqual(abs(_106), vec4(65504.0)));
+    vec3 _143 = textureLod(gInNormal, _70, 0.0).xyz;
+    float _146 = dot(textureLod(gInNormal, (fma(_82, parameters.gCoarseSize.xy, vec2(-0.125)) * 2.0) * parameters.gOutputSize.zw, 0.0).xyz, _143);
+    float _150 = min(parameters.gContrast, 256.0);
+    bool _153 = parameters.gContrast > 0.0;
+    float _155 = dot(textureLod(gInNormal, (fma(vec2(_86.x, _82.y), parameters.gCoarseSize.xy, vec2(-0.125)) * 2.0) * parameters.gOutputSize.zw, 0.0).xyz, _143);
+    float _162 = dot(textureLod(gInNormal, (fma(vec2(_82.x, _86.y), parameters.gCoarseSize.xy, vec2(-0.125)) * 2.0) * parameters.gOutputSize.zw, 0.0).xyz, _143);
+    float _169 = dot(textureLod(gInNormal, (fma(_86, parameters.gCoarseSize.xy, vec2(-0.125)) * 2.0) * parameters.gOutputSize.zw, 0.0).xyz, _143);
+    vec4 _180 = textureLod(gInDepth, _70, 0.0);
+    float _181 = _180.x;
+    float _191 = 1.0 / max(fma(_181, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+    vec4 _202 = vec4(lessThanEqual(abs(_109), vec4(9.9999996802856924650656260769173e+37)));
+    vec4 _205 = abs(vec4((abs(_181 - 0.5) <= 0.5) ? (((_191 > 0.0) && (_191 < min(parameters.gSkyDepth, 65504.0))) ? _191 : 65504.0) : 65504.0) - textureGather(gInCoarseDepth, _103).wzxy);
+    bvec4 _213 = greaterThan(_202 * vec4(lessThanEqual(abs(_205), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
+    vec4 _214 = mix(vec4(0.0), ((vec4(_93, _94, _93, _94) * vec4(_77.yy, _76.yy)) * vec4(_153 ? ((_146 > 0.0) ? pow(min(abs(_146), 1.0), _150) : 0.0) : 1.0, _153 ? ((_155 > 0.0) ? pow(min(abs(_155), 1.0), _150) : 0.0) : 1.0, _153 ? ((_162 > 0.0) ? pow(min(abs(_162), 1.0), _150) : 0.0) : 1.0, _153 ? ((_169 > 0.0) ? pow(min(abs(_169), 1.0), _150) : 0.0) : 1.0)) / (vec4(9.9999997473787516355514526367188e-05) + _205), _213);
+    vec4 _216 = mix(vec4(0.0), _214, greaterThan(_214, vec4(0.0)));
+    float _217 = dot(_216, vec4(1.0));
+    vec4 _218 = mix(vec4(1.9999999360571384930131252153835e+38), _205, _213);
+    vec4 _228 = mix(vec4(0.0), _202, lessThanEqual(_218, vec4(min(min(_218.x, _218.y), min(_218.z, _218.w)))));
+    gOutUpsampled = vec4(dot(mix(vec4(0.0), _109, greaterThan(_202, vec4(0.5))), mix(_228 / vec4(max(dot(_228, vec4(1.0)), 1.0)), _216 / vec4(_217), bvec4((_217 >= 1.0000000031710768509710513471353e-30) && (_217 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0);
 }
 

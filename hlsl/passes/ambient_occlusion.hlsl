@@ -4,7 +4,7 @@
 //
 // gInCoarseDepth   R32F, linear depth in metres of depth_downsample; SKY_DEPTH and beyond, and what is no
 //                  depth, is sky
-// gInCoarseNormal  NORMALS read: view space, of any length but 0; at the same texels
+// gInNormal        NORMALS read: view space, towards the camera, of any length but 0; of the whole frame
 // gOutOcclusion    RG16F: visibility in [0,1], 1 where nothing occludes and in the sky; linear depth, metres
 //
 // A sample is a point within gRadius over the surface, directions distributed as the cosine to the normal and
@@ -24,11 +24,12 @@ BINDING(0) cbuffer AmbientOcclusionParameters {
     float gFrameIndex;     // whole, see subsetOfFrame()
     float gSubsetCount;    // frames after which the pattern repeats, 1 to 16
     float2 gBias;          // metres, and metres per metre of depth, by which a surface must lie in front
+    float2 gFrameToCoarse; // NORMALS read: frame / (ratio * coarse extent), of UV
 };
 
 TEXTURE_POINT(gInCoarseDepth, 1);
 #if NORMALS_READ
-TEXTURE_POINT(gInCoarseNormal, 2);
+TEXTURE_POINT(gInNormal, 2);
 #endif
 
 #if SAMPLES_1
@@ -108,9 +109,10 @@ float3 reconstructedNormal(float3 positionVS, float2 uv, DepthPlus d) {
 
 #else
 
-// A normal that is none faces the camera.
+// Of one pixel of the texel: its centre lies on a corner of the frame's texels, and an eighth before it a
+// texel is met for any ratio. A normal that is none faces the camera.
 float3 readNormal(float2 uv) {
-    float3 normal = SAMPLE(gInCoarseNormal, uv).xyz;
+    float3 normal = SAMPLE(gInNormal, (uv - 0.125 * gOutputSize.zw) / gFrameToCoarse).xyz;
     float lengthSquared = dot(normal, normal);
     return lengthSquared > 1e-6 && lengthSquared < 1e6 ? normal * rsqrt(lengthSquared)
                                                        : float3(0.0, 0.0, -1.0);

@@ -6,7 +6,8 @@
 //                  shadow packed in it, see occlusion_shadow_packing.hlsli
 // gInCoarseDepth   R32F, metres, of depth_downsample: a binary16 is coarser than the depth weights are sharp
 // gInDepth         R32F or D32F, device depth in [0,1] (any depth kind), or metres with DEPTH_LINEAR
-// gInNormal        NORMAL_WEIGHTS: view space, unit; gInCoarseNormal the same for the coarse texels
+// gInNormal        NORMAL_WEIGHTS: view space, unit, of the frame. A coarse texel has the normal of one of
+//                  its pixels, the same as ambient_occlusion takes
 // gOutUpsampled    RG16F: the value and 0, or occlusion and shadow
 // A coarse sample that is NaN or beyond MAX_COLOUR has no share; of four such 0 remains. A pixel whose depth
 // is none counts as sky.
@@ -31,7 +32,6 @@ TEXTURE_POINT(gInCoarseDepth, 2);
 TEXTURE_POINT(gInDepth, 3);
 #if NORMAL_WEIGHTS
 TEXTURE_POINT(gInNormal, 4);
-TEXTURE_POINT(gInCoarseNormal, 5);
 #endif
 
 #if RATIO_4
@@ -64,6 +64,15 @@ float4 readRed(TEXTURE_PARAMETER(coarse), CoarseFootprint footprint, float2 posi
 #endif
 }
 
+#if NORMAL_WEIGHTS
+// Of a coarse texel, by the UV of its centre, which lies on a corner of the frame's texels: an eighth of the
+// coarse one before it a texel is met for either ratio.
+float3 readCoarseNormal(float2 coarseUv) {
+    float2 positionPx = COARSE_TEXEL_PX * (coarseUv * gCoarseSize.xy - 0.125);
+    return SAMPLE(gInNormal, pxToUv(positionPx, gOutputSize.zw)).xyz;
+}
+#endif
+
 #if !VALUES_ONE
 // What is no number stays none.
 float2 unpackValues(float value) {
@@ -83,8 +92,8 @@ float2 upsampledValues(float2 positionPx) {
     float4 depths = readRed(TEXTURE_ARGUMENT(gInCoarseDepth), footprint, positionPx);
 #if NORMAL_WEIGHTS
     float4 normalWeights = normalWeightsOf(
-        SAMPLE(gInCoarseNormal, footprint.leftUp).xyz, SAMPLE(gInCoarseNormal, footprint.rightUp).xyz,
-        SAMPLE(gInCoarseNormal, footprint.leftDown).xyz, SAMPLE(gInCoarseNormal, footprint.rightDown).xyz,
+        readCoarseNormal(footprint.leftUp), readCoarseNormal(footprint.rightUp),
+        readCoarseNormal(footprint.leftDown), readCoarseNormal(footprint.rightDown),
         SAMPLE(gInNormal, uv).xyz, gContrast);
 #else
     float4 normalWeights = float4(1.0, 1.0, 1.0, 1.0);

@@ -4,7 +4,7 @@
 //
 // gInFresh       RG16F: value of this frame, linear depth in metres. VALUES other than one: occlusion and
 //                shadow in one, see occlusion_shadow_packing.hlsli
-// gInVelocity    HISTORY motion: motion times gMotionToUv = currUv - prevUv without jitter, of the whole frame
+// gInVelocity    HISTORY motion: motion times gMotionToUv = currUv - prevUv without jitter, of the frame
 // gHistoryCache  gOutCache of the frame before, or what bilateral_filter made of it; any content where
 //                gHistoryValid is 0. gHistoryCacheFiltered is the same image under a linear filter
 // gOutCache      RGBA16F: value, 0, convergence in frames, linear depth in metres

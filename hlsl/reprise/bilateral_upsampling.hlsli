@@ -48,10 +48,11 @@ CoarseFootprint coarseFootprint(float2 positionPx, float ratio, float2 coarseSiz
 }
 
 // Likeness of two unit normals: cosine ^ contrastCoef, in [0,1]. Printed is dot(a + b), and pow of a negative
-// cosine, which is NaN: here normals that face away weigh 0. A contrast of 0 or less leaves normals out.
+// cosine, which is NaN: here normals that face away weigh 0, and so do broken ones. A contrast of 0 or less
+// leaves normals out.
 float normalWeight(float3 normalLow, float3 normalHi, float contrastCoef) {
-    float similarity = min(dot(normalLow, normalHi), 1.0);
-    float weight = similarity > 0.0 ? pow(abs(similarity), min(contrastCoef, MAX_CONTRAST)) : 0.0;
+    float similarity = dot(normalLow, normalHi);
+    float weight = similarity > 0.0 ? pow(min(abs(similarity), 1.0), min(contrastCoef, MAX_CONTRAST)) : 0.0;
     return contrastCoef > 0.0 ? weight : 1.0;
 }
 

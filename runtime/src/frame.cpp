@@ -131,13 +131,17 @@ struct External {
     const ImageRef* image;
 };
 
-std::array<External, 5> externals(const FrameInput& input) {
+std::array<External, 9> externals(const FrameInput& input) {
     const auto given = [](const std::optional<ImageRef>& image) { return image ? &*image : nullptr; };
     return {{{"gInColour", "FrameInput::colour", &input.colour},
              {"gInDepth", "FrameInput::depth", &input.depth},
              {"gInVelocity", "FrameInput::motion", given(input.motion)},
              {"gInFresh", "FrameInput::fresh", given(input.fresh)},
-             {"gInShadowMap", "FrameInput::shadowMap", given(input.shadowMap)}}};
+             {"gInShadowMap", "FrameInput::shadowMap", given(input.shadowMap)},
+             {"gInNormal", "FrameInput::normal", given(input.normal)},
+             {"gInAmbientLight", "FrameInput::ambientLight", given(input.ambientLight)},
+             {"gInSunLight", "FrameInput::sunLight", given(input.sunLight)},
+             {"gInOtherLight", "FrameInput::otherLight", given(input.otherLight)}}};
 }
 
 const ImageRef* externalImage(const FrameInput& input, std::string_view name) {
@@ -429,6 +433,7 @@ FrameOutput outputOf(const Recorder& recorder, const FrameInput& input, std::str
     if (cachesAnything(recorder.needs))
         for (const std::string& name : lightingImages(recorder.plan.cache))
             if (!output.lighting) output.lighting = owned(name);
+    output.lit = owned("gOutLit");
     output.historyWasReset = !reason.empty();
     output.resetReason = reason;
     return output;

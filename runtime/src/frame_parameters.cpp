@@ -77,6 +77,7 @@ AmbientOcclusionParameters occlusionParameters(const FrameInput& input, const Ca
     p.gFrameIndex = patternFrame(input);
     p.gSubsetCount = static_cast<float>(input.cache.subsets);
     store(p.gBias, input.cache.bias);
+    store(p.gFrameToCoarse, frameToCoarse(frame));
     return p;
 }
 
@@ -131,6 +132,12 @@ BilateralUpsampleParameters upsampleParameters(const FrameInput& input, const Ca
     store(p.gLinearDepth, linearDepthCoefficients(input.camera.viewToClip));
     p.gSkyDepth = static_cast<float>(skyFrom(input, frame));
     p.gContrast = input.cache.normalContrast;
+    return p;
+}
+
+CombineLightingParameters combineParameters(const CacheFrame& frame) {
+    CombineLightingParameters p{};
+    store(p.gOutputSize, sizeOf(frame.extent));
     return p;
 }
 
@@ -204,6 +211,7 @@ Result<std::vector<std::byte>> cacheParameters(std::string_view pass, std::strin
     if (pass == obscuranceFilterPass) return bytesOf(obscuranceFilterParameters(run, input, frame));
     if (pass == "reprojection_cache") return bytesOf(historyParameters(input, frame));
     if (pass == "bilateral_filter") return bytesOf(filterParameters(run, input, frame));
+    if (pass == combinePass) return bytesOf(combineParameters(frame));
     return bytesOf(upsampleParameters(input, frame));
 }
 

@@ -112,7 +112,7 @@ Result<void> checkExtents(const Variant& variant, std::span<const ImageInfo> inf
         };
         // A pass that need not know its ratio takes any.
         const bool knows = !switchValue(variant, "RATIO").empty();
-        if (!agree(std::min(scale, outputScale)) && (knows || !agree(0.25)))
+        if (!agree(std::min(scale, outputScale)) && (knows || (!agree(0.25) && !agree(1.0))))
             return extentsDiffer(variant.pass->name, info->name, image->extent, extent);
     }
     return {};

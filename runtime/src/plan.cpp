@@ -25,6 +25,8 @@ bool isFilter(std::string_view pass) {
 
 std::string_view vetoOf(const PassInfo& pass, const SceneNeeds& needs, const Settings& settings) {
     if (pass.name == temporalPass && !needs.antiAliasing) return "Anti-aliasing is not asked for.";
+    if (pass.name == combinePass && !needs.combinesLighting)
+        return "The engine puts its light together itself.";
     if (pass.name == upsamplePass && !cachesAnything(needs))
         return "Neither occlusion nor shadows nor a value of the engine's is asked for.";
     if (pass.name == upsamplePass && settings.cache.ratio == 1)
@@ -99,10 +101,11 @@ bool wantsAny(const std::vector<std::string>& wanted, const PlannedPass& pass) {
     });
 }
 
-void wantInputs(std::vector<std::string>& wanted, const Variant& variant) {
+void wantInputs(std::vector<std::string>& wanted, const Variant& variant, const CacheSettings& cache) {
     for (const ImageInfo& input : variant.pass->inputs)
         if (exists(variant, input) && isImage(input) && !isHistory(input))
-            for (const std::string& source : sourcesOf(input.sameAs.empty() ? input.name : input.sameAs))
+            for (const std::string& source :
+                 sourcesOf(input.sameAs.empty() ? input.name : input.sameAs, cache))
                 want(wanted, source);
 }
 
@@ -114,19 +117,19 @@ void drop(FramePlan& plan, std::string_view pass, std::string reason) {
     plan.dropped.push_back({std::string(pass), std::move(reason)});
 }
 
-// Walks back from the anti-aliased frame and from the framework's last step.
+// Walks back from the anti-aliased frame, from the light put together and from the framework's last step.
 void choosePasses(std::vector<Candidate> candidates, const SceneNeeds& needs, FramePlan& plan) {
     std::vector<std::string> wanted;
     if (cachesAnything(needs)) wanted = lightingImages(plan.cache);
     for (auto candidate = candidates.rbegin(); candidate != candidates.rend(); ++candidate) {
         const std::string_view name = candidate->pass.variant.pass->name;
-        const bool needed = name == temporalPass || wantsAny(wanted, candidate->pass);
+        const bool needed = name == temporalPass || name == combinePass || wantsAny(wanted, candidate->pass);
         if (!candidate->veto.empty()) {
             drop(plan, name, std::string(candidate->veto));
         } else if (!needed) {
             drop(plan, name, "Nothing reads " + candidate->pass.writes.front() + ".");
         } else {
-            wantInputs(wanted, candidate->pass.variant);
+            wantInputs(wanted, candidate->pass.variant, plan.cache);
             plan.passes.insert(plan.passes.begin(), std::move(candidate->pass));
         }
     }
@@ -149,6 +152,10 @@ Result<void> checkCache(const SceneNeeds& needs, const CacheSettings& cache) {
         return Error{
             ErrorCode::invalidArgument,
             "scalable_obscurance shares no cache; make a plan and a recorder for shadows or a value."};
+    if (needs.combinesLighting && !cachesAnything(needs))
+        return Error{ErrorCode::invalidArgument,
+                     "SceneNeeds::combinesLighting puts light together with a visibility; ask for "
+                     "ambientOcclusion, sunShadows or cachedValue too."};
     if (needs.cachedValue && (needs.ambientOcclusion || needs.sunShadows))
         return Error{ErrorCode::invalidArgument,
                      "A cache holds occlusion and shadows or a value of the engine's; make a plan and a "

@@ -51,13 +51,14 @@ int add(const Layout& layout, const ImageInfo& info, std::string name, std::stri
 int addInput(const Layout& layout, const ImageInfo& input, int pass) {
     std::string_view name = input.sameAs.empty() ? input.name : input.sameAs;
     int image = -1;
-    for (const std::string& source : sourcesOf(name))
+    for (const std::string& source : sourcesOf(name, layout.plan.cache))
         if (image < 0) image = find(layout.plan, source);
     if (image < 0) image = find(layout.plan, name);
     if (image < 0) {
-        const bool zero = sourcesOf(name).front() == velocityImage && !layout.engineWritesMotion;
-        // A value of the engine's that no step has touched is upsampled as it is.
-        const std::string_view given = name == "gInFiltered" ? "gInFresh" : name;
+        const bool zero = name == "gInVelocity" && !layout.engineWritesMotion;
+        // A value of the engine's that no step has touched is upsampled or combined as it is.
+        const bool value = name == "gInFiltered" || name == "gInLighting";
+        const std::string_view given = value ? "gInFresh" : name;
         image = add(layout, input, std::string(zero ? velocityImage : given), input.format, pass);
         at(layout.plan, image).external = !zero;
         at(layout.plan, image).cleared = zero;
@@ -119,6 +120,7 @@ void keepOutputs(FramePlan& plan) {
         return image >= 0;
     };
     keep(velocityImage);
+    keep("gOutLit");
     for (const std::string& name : lightingImages(plan.cache))
         if (keep(name)) break;
 }
@@ -132,11 +134,12 @@ bool isImage(const ImageInfo& info) {
     return !info.format.empty();
 }
 
-std::vector<std::string> sourcesOf(std::string_view input) {
+std::vector<std::string> sourcesOf(std::string_view input, const CacheSettings& cache) {
     if (input == "gInFresh") return {"gOutShadow", "gOutOcclusion"};
     if (input == "gInCache") return {"gOutFilteredAcross", "gOutCache"};
     if (input == "gInFiltered") return {"gOutFiltered", "gOutCache", "gOutShadow", "gOutOcclusion"};
     if (input == "gInObscurance") return {"gOutFilteredObscuranceAcross", "gOutObscurance"};
+    if (input == "gInLighting") return lightingImages(cache);
     if (input == "gInColour") return {"gOutLit"};
     return {std::string(outPrefix) + std::string(input.substr(inPrefix.size()))};
 }
@@ -144,7 +147,7 @@ std::vector<std::string> sourcesOf(std::string_view input) {
 std::vector<std::string> lightingImages(const CacheSettings& cache) {
     if (cache.occlusion == obscurancePass) return {"gOutFilteredObscurance", "gOutObscurance"};
     std::vector<std::string> images{"gOutUpsampled"};
-    for (std::string& each : sourcesOf("gInFiltered"))
+    for (std::string& each : sourcesOf("gInFiltered", cache))
         images.push_back(std::move(each));
     return images;
 }

@@ -7,7 +7,7 @@
 namespace reprise {
 
 inline constexpr std::string_view temporalPass = "temporal_aa", velocityImage = "gOutVelocity";
-inline constexpr std::string_view upsamplePass = "bilateral_upsample";
+inline constexpr std::string_view upsamplePass = "bilateral_upsample", combinePass = "combine_lighting";
 inline constexpr std::string_view cachePass = "reprojection_cache", filterPass = "bilateral_filter";
 inline constexpr std::string_view obscurancePass = "scalable_obscurance",
                                   obscuranceFilterPass = "obscurance_filter";
@@ -16,7 +16,7 @@ bool isHistory(const ImageInfo& input);
 bool isImage(const ImageInfo& info); // else a buffer
 // The images that an input may be, the first that an earlier pass wrote: gInVelocity is what gOutVelocity
 // wrote; the framework's steps read what the step before wrote, whichever that is.
-std::vector<std::string> sourcesOf(std::string_view input);
+std::vector<std::string> sourcesOf(std::string_view input, const CacheSettings& cache);
 // What the framework hands over: the first of these images that there is.
 std::vector<std::string> lightingImages(const CacheSettings& cache);
 // Image that a pass writes as this output: the two runs of the filter write two.

@@ -17,7 +17,7 @@ struct Rule {
     std::string_view reason; // of off
 };
 
-std::array<Rule, 7> rulesFor(const SceneNeeds& needs) {
+std::array<Rule, 9> rulesFor(const SceneNeeds& needs) {
     const auto onIf = [](bool condition) { return condition ? Wish::on : Wish::off; };
     const Wish unlessStill = anythingMoves(needs) ? Wish::asPreset : Wish::off;
     return {{
@@ -30,6 +30,8 @@ std::array<Rule, 7> rulesFor(const SceneNeeds& needs) {
         {"DEPTH_LINEAR", onIf(needs.linearDepth), "Depth is device depth."},
         {"SHADOW_REVERSED", onIf(needs.reversedShadows), "Depth of the shadow map is not reversed."},
         {"ORTHOGRAPHIC", onIf(needs.orthographic), "The camera is a perspective one."},
+        {"NORMAL_WEIGHTS", onIf(needs.normals), "The engine hands over no normals."},
+        {"OTHER_LIGHT", onIf(needs.otherLight), "There is no light beside what is occluded."},
     }};
 }
 
@@ -65,9 +67,11 @@ std::vector<Choice> choicesFor(const SceneNeeds& needs, const CacheSettings& cac
         {"RATIO", std::to_string(cache.ratio), {}},
         {"SAMPLES", std::to_string(cache.samples), {}},
         {"CASCADES", std::to_string(cache.cascades), {}},
+        {"NORMALS", needs.normals ? "read" : "reconstructed", {}},
         {"CHANGE_DETECTION", cache.detectsChanges && cache.history ? "on" : "off", {}}};
-    if (needs.ambientOcclusion && needs.sunShadows)
-        choices.push_back({"VALUES", std::string(cache.packing), {}});
+    const bool both = needs.ambientOcclusion && needs.sunShadows;
+    if (both) choices.push_back({"VALUES", std::string(cache.packing), {}});
+    choices.push_back({"LIGHTING", both ? "both" : needs.sunShadows ? "shadow" : "occlusion", {}});
     if (!cache.history)
         choices.push_back({"HISTORY", "none", "CacheSettings::history is off."});
     else if (needs.objectsMove)

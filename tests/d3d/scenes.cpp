@@ -4,12 +4,13 @@
 #include "passes/ambient_occlusion_case.hpp"
 #include "passes/bilateral_upsample_case.hpp"
 #include "passes/camera_case.hpp"
+#include "passes/combine_lighting_case.hpp"
 #include "passes/depth_downsample_case.hpp"
 #include "passes/depth_hierarchy_case.hpp"
 #include "passes/object_case.hpp"
 #include "passes/reprojection_cache_case.hpp"
-#include "passes/sun_shadow_case.hpp"
 #include "passes/scalable_obscurance_case.hpp"
+#include "passes/sun_shadow_case.hpp"
 #include "passes/temporal_aa_case.hpp"
 
 #include <algorithm>
@@ -174,7 +175,7 @@ std::vector<Scene> ambientOcclusionScenes(const Variant& variant) {
         const auto frame =
             shared(passes::ambientOcclusionCase(variant, surfaces, size.width, size.height, 65));
         scenes.push_back(sceneOf(size, frame));
-        scenes.back().images = {{"gInCoarseDepth", &frame->depth}, {"gInCoarseNormal", &frame->normal}};
+        scenes.back().images = {{"gInCoarseDepth", &frame->depth}, {"gInNormal", &frame->normal}};
     }
     return scenes;
 }
@@ -211,8 +212,7 @@ std::vector<Scene> bilateralUpsampleScenes(const Variant& variant) {
         scenes.back().images = {{"gInFiltered", &frame->filtered},
                                 {"gInCoarseDepth", &frame->coarseDepth},
                                 {"gInDepth", &frame->depths.depth},
-                                {"gInNormal", &frame->normal},
-                                {"gInCoarseNormal", &frame->coarseNormal}};
+                                {"gInNormal", &frame->normal}};
     }
     return scenes;
 }
@@ -267,6 +267,19 @@ std::vector<Scene> obscuranceFilterScenes(const Variant&) {
     return scenes;
 }
 
+std::vector<Scene> combineLightingScenes(const Variant& variant) {
+    std::vector<Scene> scenes;
+    for (const Size size : sizes) {
+        const auto frame = shared(passes::combineLightingCase(variant, size.width, size.height, 72));
+        scenes.push_back(sceneOf(size, frame));
+        scenes.back().images = {{"gInLighting", &frame->lighting},
+                                {"gInAmbientLight", &frame->ambient},
+                                {"gInSunLight", &frame->sun},
+                                {"gInOtherLight", &frame->other}};
+    }
+    return scenes;
+}
+
 // --- fullscreen
 
 // Where a pixel says that it is, to 1/1024 px: far from the half pixel that is looked for.
@@ -308,6 +321,7 @@ constexpr PassScenes passScenes[] = {
     {"depth_hierarchy", depthHierarchyScenes},
     {"scalable_obscurance", scalableObscuranceScenes},
     {"obscurance_filter", obscuranceFilterScenes},
+    {"combine_lighting", combineLightingScenes},
     {"temporal_aa", temporalAaScenes},
 };
 

@@ -160,12 +160,14 @@ TEST(BilateralUpsampling, likenessOfNormalsAgreesUpToAContrastOf256) {
 
 TEST(BilateralUpsampling, thePrintedNegativeBaseUnderPowIsCaught) {
     expectCaught(likeness(),
-                 {header, "similarity > 0.0 ? pow(abs(similarity), min(contrastCoef, MAX_CONTRAST)) : 0.0",
+                 {header,
+                  "similarity > 0.0 ? pow(min(abs(similarity), 1.0), min(contrastCoef, MAX_CONTRAST)) : 0.0",
                   "pow(similarity, min(contrastCoef, MAX_CONTRAST))"});
     // Its common repair lets a normal that faces away count as one that faces here.
     expectCaught(likeness(),
-                 {header, "similarity > 0.0 ? pow(abs(similarity), min(contrastCoef, MAX_CONTRAST)) : 0.0",
-                  "pow(abs(similarity), min(contrastCoef, MAX_CONTRAST))"});
+                 {header,
+                  "similarity > 0.0 ? pow(min(abs(similarity), 1.0), min(contrastCoef, MAX_CONTRAST)) : 0.0",
+                  "pow(min(abs(similarity), 1.0), min(contrastCoef, MAX_CONTRAST))"});
 }
 
 TEST(BilateralUpsampling, exponentWithoutItsLimitIsCaught) {

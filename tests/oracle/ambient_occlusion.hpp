@@ -16,7 +16,8 @@ struct AmbientOcclusion {
     double radius = 1.0;
     dvec2 bias{0.01, 0.001}; // metres, and metres a metre of depth
     const Image* depth = nullptr;
-    const Image* normal = nullptr;
+    const Image* normal = nullptr; // of the frame
+    int ratio = 2;                 // of its texels a texel of the depth, along an axis
 };
 
 // Visibility, and the most that roundings may move it by. A pixel that they may move anywhere has an error
@@ -78,7 +79,8 @@ struct SurfaceNormal {
 
 inline std::vector<SurfaceNormal> surfaceNormals(const AmbientOcclusion& pass, ivec2 texel, dvec3 point) {
     if (pass.readNormals) {
-        const dvec3 read(texelClamped(*pass.normal, texel.x, texel.y));
+        const ivec2 pixel = pixelOfCoarseTexel(texel, pass.ratio);
+        const dvec3 read(texelClamped(*pass.normal, pixel.x, pixel.y));
         const double square = glm::dot(read, read);
         if (square > 1e-6 && square < 1e6) return {{read / std::sqrt(square), 0x1p-21}};
         return {{}};

@@ -15,6 +15,12 @@ inline ivec2 coarseExtent(ivec2 extent, int ratio) {
     return {(extent.x + ratio - 1) / ratio, (extent.y + ratio - 1) / ratio};
 }
 
+// The pixel whose normal a coarse texel has: of those under it the last that is not behind the middle, along
+// both axes.
+inline ivec2 pixelOfCoarseTexel(ivec2 texel, int ratio) {
+    return ratio * texel + (ratio - 1) / 2;
+}
+
 struct CoarseDepth {
     int ratio = 2;
     bool checkerboard = false;

@@ -56,7 +56,6 @@ struct UpsamplePass {
     const Image* filtered = nullptr;    // unpackedImage()
     const Image* coarseDepth = nullptr; // metres
     const Image* normal = nullptr;      // of the frame
-    const Image* coarseNormal = nullptr;
 };
 
 struct Upsampled {
@@ -76,9 +75,10 @@ inline Upsampled upsampledValues(const UpsamplePass& pass, int x, int y, double 
         depths[c] = pass.coarseDepth->at(at.x, at.y).x;
         values[i] = dvec2(pass.filtered->at(at.x, at.y));
         usable[i] = isCacheable(values[i]);
+        const ivec2 pixel = pixelOfCoarseTexel(at, pass.ratio);
         if (pass.normalWeights)
-            normal[c] = normalWeight(dvec3(pass.coarseNormal->at(at.x, at.y)), dvec3(pass.normal->at(x, y)),
-                                     pass.contrast);
+            normal[c] = normalWeight(dvec3(texelClamped(*pass.normal, pixel.x, pixel.y)),
+                                     dvec3(pass.normal->at(x, y)), pass.contrast);
     }
     const BilateralShares shares = bilateralShares(bilinear, normal, depths, depth, usable);
     dvec2 sum(0.0);

@@ -56,8 +56,20 @@ void setParameters(AmbientOcclusionCase& frame) {
     p.gRadius = static_cast<float>(frame.pass.radius);
     p.gFrameIndex = static_cast<float>(frame.pass.frame);
     p.gSubsetCount = static_cast<float>(frame.pass.subsets);
-    for (int i = 0; i < 2; ++i)
+    const glm::dvec2 frameToCoarse = glm::dvec2(frame.normal.width, frame.normal.height) /
+                                     (double(frame.pass.ratio) * glm::dvec2(width, height));
+    for (int i = 0; i < 2; ++i) {
         p.gBias[i] = static_cast<float>(frame.pass.bias[i]);
+        p.gFrameToCoarse[i] = static_cast<float>(frameToCoarse[i]);
+    }
+}
+
+void setRatio(AmbientOcclusionCase& frame, int ratio, uint64_t seed) {
+    frame.pass.ratio = ratio;
+    // Of the last row and column the frame has one pixel alone.
+    const int width = ratio * (frame.depth.width - 1) + 1, height = ratio * (frame.depth.height - 1) + 1;
+    frame.normal = makePixels(rgba32f, width, height, [&](int x, int y) { return randomNormal(seed, x, y); });
+    setParameters(frame);
 }
 
 AmbientOcclusionCase ambientOcclusionCase(const Variant& variant, Surfaces surfaces, int width, int height,
@@ -83,13 +95,12 @@ AmbientOcclusionCase ambientOcclusionCase(const Variant& variant, Surfaces surfa
         return Texel{cornerDepth(made.pass.orthographic, made.pass.viewRay,
                                  glm::dvec2(x + 0.5, y + 0.5) / glm::dvec2(width, height))};
     });
-    made.normal = makePixels(rgba32f, width, height, [&](int x, int y) { return randomNormal(seed, x, y); });
-    setParameters(made);
+    setRatio(made, 2, seed);
     return made;
 }
 
 std::vector<Pixels> run(Pass& pass, const AmbientOcclusionCase& frame) {
-    const NamedPixels inputs[] = {{"gInCoarseDepth", &frame.depth}, {"gInCoarseNormal", &frame.normal}};
+    const NamedPixels inputs[] = {{"gInCoarseDepth", &frame.depth}, {"gInNormal", &frame.normal}};
     return pass(inputs, frame.parameters, frame.depth.width, frame.depth.height);
 }
 

@@ -51,6 +51,21 @@ TEST_P(AmbientOcclusion, defaultsEqualTheOracleInHalfFloatAtALargeOddSize) {
     expectOracle(pass, GetParam(), ambientOcclusionCase(variant, Surfaces::corner, 641, 359, 82));
 }
 
+// Of every ratio and of odd frames the normal is that of one pixel under the texel, which all differ in.
+TEST_P(AmbientOcclusion, normalsOfTheFrameEqualTheOracleAtEveryRatio) {
+    for (const std::string_view orthographic : {"off", "on"}) {
+        const Variant variant =
+            variantOf(pack(), "ambient_occlusion", {{"NORMALS", "read"}, {"ORTHOGRAPHIC", orthographic}});
+        Pass pass(variant, GetParam(), {rg32f});
+        for (const int ratio : {1, 2, 4})
+            for (const auto& [width, height] : {std::pair{1, 1}, {2, 2}, {7, 5}, {64, 64}, {321, 180}}) {
+                auto frame = ambientOcclusionCase(variant, Surfaces::corner, width, height, 88);
+                setRatio(frame, ratio, 88);
+                expectOracle(pass, GetParam(), frame);
+            }
+    }
+}
+
 // A bound as wide as the whole range would let anything pass.
 TEST_F(OcclusionOracle, boundsAreNarrow) {
     const auto frame =
@@ -78,7 +93,7 @@ TEST_P(AmbientOcclusion, brokenTexelsAreSkyOrFaceTheCamera) {
             auto frame = ambientOcclusionCase(variant, Surfaces::corner, 33, 17, 84);
             frame.depth.at(10, 9, 0) = value;
             for (int c = 0; c < 3 && value != 1e38f; ++c)
-                frame.normal.at(20, 8, c) = value == -3.0f ? 0.0f : value;
+                frame.normal.at(2 * 20, 2 * 8, c) = value == -3.0f ? 0.0f : value;
             expectOracle(pass, GetParam(), frame);
             std::fill(frame.depth.values.begin(), frame.depth.values.end(), value);
             const Pixels sky = run(pass, frame)[0];

@@ -18,9 +18,9 @@ Pixels randomNormals(int width, int height, uint64_t seed) {
     return makePixels(rgba32f, width, height, [&](int x, int y) {
         glm::dvec3 normal;
         for (int c = 0; c < 3; ++c)
-            normal[c] = unitHash(seed, static_cast<uint64_t>(x / 2), static_cast<uint64_t>(y / 2),
-                                 static_cast<uint64_t>(c)) -
-                        0.5;
+            normal[c] =
+                unitHash(seed, static_cast<uint64_t>(x), static_cast<uint64_t>(y), static_cast<uint64_t>(c)) -
+                0.5;
         normal = glm::normalize(normal);
         return Texel{static_cast<float>(normal.x), static_cast<float>(normal.y),
                      static_cast<float>(normal.z)};
@@ -44,7 +44,6 @@ BilateralUpsampleCase bilateralUpsampleCase(const Variant& variant, int width, i
         return Texel{randomCached(made.pass.values, seed, x, y), 0.0f, 3.0f, made.coarseDepth.at(x, y, 0)};
     });
     made.normal = randomNormals(width, height, seed + 1);
-    made.coarseNormal = randomNormals(coarse.x, coarse.y, seed + 2);
     const auto& from = made.depths.parameters;
     std::copy(std::begin(from.gInputSize), std::end(from.gInputSize), made.parameters.gOutputSize);
     std::copy(std::begin(from.gOutputSize), std::end(from.gOutputSize), made.parameters.gCoarseSize);
@@ -58,20 +57,17 @@ std::vector<Pixels> run(Pass& pass, const BilateralUpsampleCase& frame) {
     const NamedPixels inputs[] = {{"gInFiltered", &frame.filtered},
                                   {"gInCoarseDepth", &frame.coarseDepth},
                                   {"gInDepth", &frame.depths.depth},
-                                  {"gInNormal", &frame.normal},
-                                  {"gInCoarseNormal", &frame.coarseNormal}};
+                                  {"gInNormal", &frame.normal}};
     return pass(inputs, frame.parameters, frame.depths.depth.width, frame.depths.depth.height);
 }
 
 Comparison compareWithOracle(const BilateralUpsampleCase& frame, const Pixels& upsampled) {
     const oracle::Image filtered = oracle::unpackedImage(oracleImage(frame.filtered), frame.pass.values);
     const oracle::Image coarseDepth = oracleImage(frame.coarseDepth), normal = oracleImage(frame.normal);
-    const oracle::Image coarseNormal = oracleImage(frame.coarseNormal);
     oracle::UpsamplePass pass = frame.pass;
     pass.filtered = &filtered;
     pass.coarseDepth = &coarseDepth;
     pass.normal = &normal;
-    pass.coarseNormal = &coarseNormal;
     return compare(
         upsampled,
         [&](int x, int y, bool careful) {

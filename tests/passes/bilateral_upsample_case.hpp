@@ -10,7 +10,7 @@ namespace passes {
 struct BilateralUpsampleCase {
     oracle::UpsamplePass pass;  // images apart
     DepthDownsampleCase depths; // of the frame; the coarse ones are what the oracle makes of them
-    Pixels filtered, coarseDepth, normal, coarseNormal;
+    Pixels filtered, coarseDepth, normal;
     reprise::BilateralUpsampleParameters parameters{};
 };
 

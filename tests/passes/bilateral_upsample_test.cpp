@@ -66,14 +66,18 @@ TEST_P(BilateralUpsample, brokenTexelsStayInTheFootprintAndHaveNoShare) {
     for (const Variant& variant : allVariants()) {
         Pass pass(variant, GetParam(), {rg32f});
         for (const float value : poisons)
-            for (int input = 0; input < 3; ++input) {
+            for (int input = 0; input < 4; ++input) {
                 auto frame = bilateralUpsampleCase(variant, 23, 13, 113);
                 const Pixels clean = run(pass, frame)[0];
                 const glm::ivec2 coarse(3, 2), fine(9, 7);
                 if (input == 0 && value == -3.0f) continue; // a value like any other
+                if (input == 3 && !frame.pass.normalWeights) continue;
+                const glm::ivec2 pixel = oracle::pixelOfCoarseTexel(coarse, frame.pass.ratio);
                 if (input == 0) frame.filtered.at(coarse.x, coarse.y, 0) = value;
                 if (input == 1) frame.coarseDepth.at(coarse.x, coarse.y, 0) = value;
                 if (input == 2) frame.depths.depth.at(fine.x, fine.y, 0) = value;
+                for (int c = 0; c < 3 && input == 3; ++c)
+                    frame.normal.at(pixel.x, pixel.y, c) = value;
                 const Pixels got = run(pass, frame)[0];
                 for (int y = 0; y < 13; ++y)
                     for (int x = 0; x < 23; ++x) {

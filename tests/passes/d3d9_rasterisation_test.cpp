@@ -10,12 +10,13 @@
 #include "bilateral_upsample_case.hpp"
 #include "camera_case.hpp"
 #include "changed_pack.hpp"
+#include "combine_lighting_case.hpp"
 #include "depth_downsample_case.hpp"
 #include "depth_hierarchy_case.hpp"
 #include "object_case.hpp"
 #include "reprojection_cache_case.hpp"
-#include "sun_shadow_case.hpp"
 #include "scalable_obscurance_case.hpp"
+#include "sun_shadow_case.hpp"
 #include "temporal_aa_case.hpp"
 #include "viewport_shift.hpp"
 
@@ -282,6 +283,12 @@ Comparison obscuranceFilter(const D3d9Pack& pack, const Variant& variant, Size s
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
+Comparison combineLighting(const D3d9Pack& pack, const Variant& variant, Size size) {
+    const auto frame = combineLightingCase(variant, size.width, size.height, 82);
+    Pass pass = fullscreenPass(pack, variant, {rgba32f});
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
 struct PassCheck {
     std::string_view pass;
     Comparison (*run)(const D3d9Pack&, const Variant&, Size);
@@ -301,6 +308,7 @@ constexpr PassCheck checks[] = {
     {"depth_hierarchy", depthHierarchy, true},
     {"scalable_obscurance", scalableObscurance},
     {"obscurance_filter", obscuranceFilter, true},
+    {"combine_lighting", combineLighting, true},
     {"temporal_aa", temporalAa},
 };
 

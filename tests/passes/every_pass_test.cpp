@@ -4,13 +4,14 @@
 #include "ambient_occlusion_case.hpp"
 #include "bilateral_upsample_case.hpp"
 #include "camera_case.hpp"
+#include "combine_lighting_case.hpp"
 #include "depth_downsample_case.hpp"
 #include "depth_hierarchy_case.hpp"
 #include "fullscreen_case.hpp"
 #include "object_case.hpp"
 #include "reprojection_cache_case.hpp"
-#include "sun_shadow_case.hpp"
 #include "scalable_obscurance_case.hpp"
+#include "sun_shadow_case.hpp"
 #include "temporal_aa_case.hpp"
 
 #include <algorithm>
@@ -90,6 +91,13 @@ Comparison checkObscuranceFilter(Stage stage) {
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
+Comparison checkCombineLighting(Stage stage) {
+    const Variant variant = variantOf(pack(), "combine_lighting");
+    Pass pass(variant, stage);
+    const CombineLightingCase frame = combineLightingCase(variant, 33, 17, 61);
+    return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
 // Its two stages are executed together.
 Comparison checkObjectVelocity(Stage) {
     const ObjectCase object;
@@ -122,6 +130,7 @@ constexpr PassCheck checks[] = {
     {"depth_hierarchy", checkDepthHierarchy},
     {"scalable_obscurance", checkScalableObscurance},
     {"obscurance_filter", checkObscuranceFilter},
+    {"combine_lighting", checkCombineLighting},
     {"temporal_aa", checkTemporalAa},
 };
 

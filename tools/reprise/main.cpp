@@ -80,6 +80,9 @@ void addPlan(CLI::App& app, PlanOptions& o, std::function<void()>& run) {
     command->add_flag("--sun-shadows", n.sunShadows, "Shadows of the sun are filtered and cached");
     command->add_flag("--reversed-shadows", n.reversedShadows, "Depth of the shadow map is reversed");
     command->add_flag("--cached-value", n.cachedValue, "A value of the engine's is cached");
+    command->add_flag("--normals", n.normals, "The engine gives normals in view space");
+    command->add_flag("--combine-lighting", n.combinesLighting, "Light is put together with its visibility");
+    command->add_flag("--other-light", n.otherLight, "Light that neither occlusion nor shadow touches is added");
     addCacheOptions(*command, o);
     command->add_option("--stage", o.stage, "fragment or compute")->capture_default_str();
     command->add_option("--preset", o.preset, "Preset of temporal_aa")->capture_default_str();

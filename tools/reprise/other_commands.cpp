@@ -166,6 +166,7 @@ reprise::FramePlan planFor(Shaders& shaders, const reprise::SceneNeeds& needs, c
 reprise::FramePlan planOfEverything(Shaders& shaders, const PlanOptions& options) {
     reprise::SceneNeeds needs;
     needs.skinnedMeshes = needs.fastMotion = needs.ambientOcclusion = needs.sunShadows = true;
+    needs.normals = needs.combinesLighting = needs.otherLight = true;
     return makeFramePlan(shaders, needs, settingsOf(options), parseSize(options.size));
 }
 

@@ -37,7 +37,10 @@ constexpr std::pair<std::string_view, bool SceneNeeds::*> needFields[] = {
     {"ambientOcclusion", &SceneNeeds::ambientOcclusion},
     {"sunShadows", &SceneNeeds::sunShadows},
     {"reversedShadows", &SceneNeeds::reversedShadows},
-    {"cachedValue", &SceneNeeds::cachedValue}};
+    {"cachedValue", &SceneNeeds::cachedValue},
+    {"normals", &SceneNeeds::normals},
+    {"combinesLighting", &SceneNeeds::combinesLighting},
+    {"otherLight", &SceneNeeds::otherLight}};
 static_assert(std::size(needFields) == sizeof(SceneNeeds) / sizeof(bool), "a need has no name here");
 
 using CacheField =

@@ -84,7 +84,7 @@ struct alignas(16) AmbientOcclusionParameters {
     float gSubsetCount;
     float pad0[1];
     float gBias[2];   // float2
-    float pad1[2];
+    float gFrameToCoarse[2];   // float2
 };
 static_assert(sizeof(AmbientOcclusionParameters) == 64);
 static_assert(offsetof(AmbientOcclusionParameters, gOutputSize) == 0);
@@ -93,13 +93,14 @@ static_assert(offsetof(AmbientOcclusionParameters, gRadius) == 32);
 static_assert(offsetof(AmbientOcclusionParameters, gFrameIndex) == 36);
 static_assert(offsetof(AmbientOcclusionParameters, gSubsetCount) == 40);
 static_assert(offsetof(AmbientOcclusionParameters, gBias) == 48);
+static_assert(offsetof(AmbientOcclusionParameters, gFrameToCoarse) == 56);
 namespace bindings::ambient_occlusion {
 inline constexpr uint32_t AmbientOcclusionParameters = 0;
 inline constexpr uint32_t gInCoarseDepth = 1;
-inline constexpr uint32_t gInCoarseNormal = 2;
+inline constexpr uint32_t gInNormal = 2;
 inline constexpr uint32_t gOutOcclusion = 16;
 inline constexpr uint32_t gInCoarseDepth_sampler = 33;
-inline constexpr uint32_t gInCoarseNormal_sampler = 34;
+inline constexpr uint32_t gInNormal_sampler = 34;
 }
 
 // sun_shadow: Soft shadows of the sun from a cascaded shadow map with few samples a frame
@@ -237,13 +238,11 @@ inline constexpr uint32_t gInFiltered = 1;
 inline constexpr uint32_t gInCoarseDepth = 2;
 inline constexpr uint32_t gInDepth = 3;
 inline constexpr uint32_t gInNormal = 4;
-inline constexpr uint32_t gInCoarseNormal = 5;
 inline constexpr uint32_t gOutUpsampled = 16;
 inline constexpr uint32_t gInFiltered_sampler = 33;
 inline constexpr uint32_t gInCoarseDepth_sampler = 34;
 inline constexpr uint32_t gInDepth_sampler = 35;
 inline constexpr uint32_t gInNormal_sampler = 36;
-inline constexpr uint32_t gInCoarseNormal_sampler = 37;
 }
 
 // depth_hierarchy: Linear depth at five resolutions in one image
@@ -326,6 +325,25 @@ inline constexpr uint32_t ObscuranceFilterParameters = 0;
 inline constexpr uint32_t gInObscurance = 1;
 inline constexpr uint32_t gOutFilteredObscurance = 16;
 inline constexpr uint32_t gInObscurance_sampler = 33;
+}
+
+// combine_lighting: The light of a deferred renderer put together, with its visibility
+struct alignas(16) CombineLightingParameters {
+    float gOutputSize[4];   // float4
+};
+static_assert(sizeof(CombineLightingParameters) == 16);
+static_assert(offsetof(CombineLightingParameters, gOutputSize) == 0);
+namespace bindings::combine_lighting {
+inline constexpr uint32_t CombineLightingParameters = 0;
+inline constexpr uint32_t gInLighting = 1;
+inline constexpr uint32_t gInAmbientLight = 2;
+inline constexpr uint32_t gInSunLight = 3;
+inline constexpr uint32_t gInOtherLight = 4;
+inline constexpr uint32_t gOutLit = 16;
+inline constexpr uint32_t gInLighting_sampler = 33;
+inline constexpr uint32_t gInAmbientLight_sampler = 34;
+inline constexpr uint32_t gInSunLight_sampler = 35;
+inline constexpr uint32_t gInOtherLight_sampler = 36;
 }
 
 // temporal_aa: Temporal reprojection anti-aliasing
@@ -512,24 +530,24 @@ inline constexpr std::string_view ambient_occlusion_ORTHOGRAPHIC_values[] = {"of
 inline constexpr SwitchInfo ambient_occlusion_switches[] = {
     {"SAMPLES", ambient_occlusion_SAMPLES_values, 2, "",
      "occlusion checks a pixel and frame, one read each", {}},
-    {"NORMALS", ambient_occlusion_NORMALS_values, 0, "coarse normals are at hand",
-     "normals from depth, or from gInCoarseNormal", {}},
+    {"NORMALS", ambient_occlusion_NORMALS_values, 0, "the engine hands over normals",
+     "normals from depth, or from gInNormal", {}},
     {"ORTHOGRAPHIC", ambient_occlusion_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
      "rays are parallel", {}},
 };
 inline constexpr BindingInfo ambient_occlusion_bindings[] = {
     {"AmbientOcclusionParameters", 0, BindingKind::uniformBuffer},
     {"gInCoarseDepth", 1, BindingKind::sampledImage},
-    {"gInCoarseNormal", 2, BindingKind::sampledImage},
+    {"gInNormal", 2, BindingKind::sampledImage},
     {"gOutOcclusion", 16, BindingKind::storageImage},
     {"gInCoarseDepth_sampler", 33, BindingKind::pointSampler},
-    {"gInCoarseNormal_sampler", 34, BindingKind::pointSampler},
+    {"gInNormal_sampler", 34, BindingKind::pointSampler},
 };
-inline constexpr Condition ambient_occlusion_gInCoarseNormal_when[] = {{"NORMALS", "read"}};
+inline constexpr Condition ambient_occlusion_gInNormal_when[] = {{"NORMALS", "read"}};
 inline constexpr ImageInfo ambient_occlusion_inputs[] = {
     {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
      ""},
-    {"gInCoarseNormal", "view space, towards the camera", "rgba16f", 0.500000f, "", ambient_occlusion_gInCoarseNormal_when,
+    {"gInNormal", "view space, towards the camera", "rgba16f", 1.000000f, "", ambient_occlusion_gInNormal_when,
      ""},
 };
 inline constexpr ImageInfo ambient_occlusion_outputs[] = {
@@ -812,7 +830,7 @@ inline constexpr std::string_view bilateral_upsample_ORTHOGRAPHIC_values[] = {"o
 inline constexpr SwitchInfo bilateral_upsample_switches[] = {
     {"RATIO", bilateral_upsample_RATIO_values, 0, "",
      "texels of the full image per coarse texel, along an axis", {}},
-    {"NORMAL_WEIGHTS", bilateral_upsample_NORMAL_WEIGHTS_values, 0, "normals are at hand at both resolutions",
+    {"NORMAL_WEIGHTS", bilateral_upsample_NORMAL_WEIGHTS_values, 0, "the engine hands over normals",
      "samples are weighed by the likeness of their normals too", {}},
     {"VALUES", bilateral_upsample_VALUES_values, 0, "occlusion and shadow share a channel",
      "one value, or occlusion and shadow packed in one, in either order", {}},
@@ -827,16 +845,13 @@ inline constexpr BindingInfo bilateral_upsample_bindings[] = {
     {"gInCoarseDepth", 2, BindingKind::sampledImage},
     {"gInDepth", 3, BindingKind::sampledImage},
     {"gInNormal", 4, BindingKind::sampledImage},
-    {"gInCoarseNormal", 5, BindingKind::sampledImage},
     {"gOutUpsampled", 16, BindingKind::storageImage},
     {"gInFiltered_sampler", 33, BindingKind::pointSampler},
     {"gInCoarseDepth_sampler", 34, BindingKind::pointSampler},
     {"gInDepth_sampler", 35, BindingKind::pointSampler},
     {"gInNormal_sampler", 36, BindingKind::pointSampler},
-    {"gInCoarseNormal_sampler", 37, BindingKind::pointSampler},
 };
 inline constexpr Condition bilateral_upsample_gInNormal_when[] = {{"NORMAL_WEIGHTS", "on"}};
-inline constexpr Condition bilateral_upsample_gInCoarseNormal_when[] = {{"NORMAL_WEIGHTS", "on"}};
 inline constexpr ImageInfo bilateral_upsample_inputs[] = {
     {"gInFiltered", "value, or packed pair, in the first", "rgba16f", 0.500000f, "", {},
      ""},
@@ -845,8 +860,6 @@ inline constexpr ImageInfo bilateral_upsample_inputs[] = {
     {"gInDepth", "device depth [0,1], or metres with DEPTH_LINEAR", "r32f", 1.000000f, "", {},
      ""},
     {"gInNormal", "view space, unit", "rgba16f", 1.000000f, "", bilateral_upsample_gInNormal_when,
-     ""},
-    {"gInCoarseNormal", "view space, unit", "rgba16f", 0.500000f, "", bilateral_upsample_gInCoarseNormal_when,
      ""},
 };
 inline constexpr ImageInfo bilateral_upsample_outputs[] = {
@@ -1024,6 +1037,62 @@ inline constexpr PackModule obscurance_filter_modules[] = {
     {"obscurance_filter", Stage::fragment,
      "", ""},
     {"obscurance_filter", Stage::compute,
+     "", ""},
+};
+inline constexpr Stage combine_lighting_stages[] = {Stage::fragment, Stage::compute};
+inline constexpr std::string_view combine_lighting_LIGHTING_values[] = {"occlusion", "shadow", "both"};
+inline constexpr std::string_view combine_lighting_OTHER_LIGHT_values[] = {"off", "on"};
+inline constexpr SwitchInfo combine_lighting_switches[] = {
+    {"LIGHTING", combine_lighting_LIGHTING_values, 2, "occlusion, the sun's shadow, or both are at hand",
+     "what gInLighting holds, and so which light it takes away from", {}},
+    {"OTHER_LIGHT", combine_lighting_OTHER_LIGHT_values, 0, "there is light that neither occlusion nor shadow touches",
+     "gInOtherLight is added as it is", {}},
+};
+inline constexpr BindingInfo combine_lighting_bindings[] = {
+    {"CombineLightingParameters", 0, BindingKind::uniformBuffer},
+    {"gInLighting", 1, BindingKind::sampledImage},
+    {"gInAmbientLight", 2, BindingKind::sampledImage},
+    {"gInSunLight", 3, BindingKind::sampledImage},
+    {"gInOtherLight", 4, BindingKind::sampledImage},
+    {"gOutLit", 16, BindingKind::storageImage},
+    {"gInLighting_sampler", 33, BindingKind::pointSampler},
+    {"gInAmbientLight_sampler", 34, BindingKind::pointSampler},
+    {"gInSunLight_sampler", 35, BindingKind::pointSampler},
+    {"gInOtherLight_sampler", 36, BindingKind::pointSampler},
+};
+inline constexpr Condition combine_lighting_gInAmbientLight_when[] = {{"LIGHTING", "occlusion"}, {"LIGHTING", "both"}};
+inline constexpr Condition combine_lighting_gInSunLight_when[] = {{"LIGHTING", "shadow"}, {"LIGHTING", "both"}};
+inline constexpr Condition combine_lighting_gInOtherLight_when[] = {{"OTHER_LIGHT", "on"}};
+inline constexpr ImageInfo combine_lighting_inputs[] = {
+    {"gInLighting", "visibility [0,1]: one, or occlusion and shadow", "rg16f", 1.000000f, "", {},
+     ""},
+    {"gInAmbientLight", "linear, scene-referred", "rgba16f", 1.000000f, "", combine_lighting_gInAmbientLight_when,
+     ""},
+    {"gInSunLight", "linear, scene-referred", "rgba16f", 1.000000f, "", combine_lighting_gInSunLight_when,
+     ""},
+    {"gInOtherLight", "linear, scene-referred", "rgba16f", 1.000000f, "", combine_lighting_gInOtherLight_when,
+     ""},
+};
+inline constexpr ImageInfo combine_lighting_outputs[] = {
+    {"gOutLit", "linear, scene-referred", "rgba16f", 1.000000f, "", {},
+     ""},
+};
+inline constexpr PackModule combine_lighting_modules[] = {
+    {"combine_lighting", Stage::fragment,
+     "", ""},
+    {"combine_lighting", Stage::compute,
+     "", ""},
+    {"combine_lighting--lighting-occlusion", Stage::fragment,
+     "", ""},
+    {"combine_lighting--lighting-occlusion", Stage::compute,
+     "", ""},
+    {"combine_lighting--lighting-shadow", Stage::fragment,
+     "", ""},
+    {"combine_lighting--lighting-shadow", Stage::compute,
+     "", ""},
+    {"combine_lighting--other_light-on", Stage::fragment,
+     "", ""},
+    {"combine_lighting--other_light-on", Stage::compute,
      "", ""},
 };
 inline constexpr Stage temporal_aa_stages[] = {Stage::fragment, Stage::compute};
@@ -1239,6 +1308,10 @@ inline constexpr PassInfo passes[] = {
      "Wronski, Algorithm overview", obscurance_filter_stages, true,
      {16, 16, 1}, {1, 1}, 48, {},
      obscurance_filter_bindings, obscurance_filter_inputs, obscurance_filter_outputs},
+    {"combine_lighting", "The light of a deferred renderer put together, with its visibility",
+     "Drobot 7.3, Shadows and Ambient Occlusion Combined", combine_lighting_stages, true,
+     {16, 16, 1}, {1, 1}, 16, combine_lighting_switches,
+     combine_lighting_bindings, combine_lighting_inputs, combine_lighting_outputs},
     {"temporal_aa", "Temporal reprojection anti-aliasing",
      "INSIDE, I1 to I9", temporal_aa_stages, true,
      {32, 4, 1}, {1, 6}, 64, temporal_aa_switches,
@@ -1268,6 +1341,7 @@ inline std::span<const PackModule> packModules([[maybe_unused]] std::string_view
     if (pass == "depth_hierarchy") return generated::depth_hierarchy_modules;
     if (pass == "scalable_obscurance") return generated::scalable_obscurance_modules;
     if (pass == "obscurance_filter") return generated::obscurance_filter_modules;
+    if (pass == "combine_lighting") return generated::combine_lighting_modules;
     if (pass == "temporal_aa") return generated::temporal_aa_modules;
     return {};
 }

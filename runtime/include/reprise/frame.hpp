@@ -63,10 +63,11 @@ struct CacheTuning {
 };
 
 struct FrameInput {
-    uint64_t frameIndex = 0;        // a gap to the previous call resets history
-    CameraFrame camera;             // unjittered
-    glm::dvec2 jitterPx{0.0};       // the jitter that colour and depth were rendered with
-    ImageRef colour, depth;         // in SHADER_READ_ONLY_OPTIMAL; colour with antiAliasing
+    uint64_t frameIndex = 0;  // a gap to the previous call resets history
+    CameraFrame camera;       // unjittered
+    glm::dvec2 jitterPx{0.0}; // the jitter that colour and depth were rendered with
+    // In SHADER_READ_ONLY_OPTIMAL; colour with antiAliasing and without combinesLighting.
+    ImageRef colour, depth;
     std::optional<ImageRef> motion; // with needs.engineWritesMotion; SHADER_READ_ONLY_OPTIMAL
     // With needs.sunShadows: cascades side by side, of any extent, R32F or D32F; CacheSettings::cascades of
     // them.
@@ -74,6 +75,12 @@ struct FrameInput {
     std::span<const ShadowCascade> cascades;
     // With needs.cachedValue: RG16F of ceil(extent / ratio) texels, the value and its linear depth in metres.
     std::optional<ImageRef> fresh;
+    // With needs.normals: view space, unit, towards the camera; RGBA16F at the frame's extent.
+    std::optional<ImageRef> normal;
+    // With needs.combinesLighting, linear and already multiplied by the albedo, RGBA16F: the indirect light,
+    // with occlusion or a cached value; the sun's as if nothing stood before it, with sunShadows; the rest,
+    // with needs.otherLight.
+    std::optional<ImageRef> ambientLight, sunLight, otherLight;
     std::optional<ImageRef> depthAttachment; // with objectsMove: tested, not written; DEPTH_READ_ONLY_OPTIMAL
     std::span<const ObjectDraw> movingObjects;
     bool resetHistory = false;       // camera cut
@@ -88,6 +95,7 @@ struct FrameOutput {
     // At full resolution: in red visibility by occluders near by, or the sun's, or the value; of both, the
     // sun's in green. RG16F, or at a ratio of 1 as the last step writes it.
     std::optional<ImageRef> lighting;
+    std::optional<ImageRef> lit; // with needs.combinesLighting: the light put together, before anti-aliasing
     std::optional<ImageRef> motion; // likewise; none when nothing moves
     bool historyWasReset = false;
     std::string_view resetReason; // "first frame", "frame gap", "resize", "request" or empty

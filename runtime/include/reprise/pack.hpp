@@ -93,8 +93,8 @@ Result<Variant> makeVariant(std::span<const PassInfo> passes, std::string_view p
 Result<void> setSwitch(Variant& variant, std::string_view switchName, std::string_view value);
 std::string_view switchValue(const Variant& variant, std::string_view switchName);
 bool exists(const Variant& variant, const ImageInfo& image);
-// Share of the frame's extent that an image of the variant has, to be rounded up. Below 1 it follows the switch
-// RATIO, where the pass has it: the table has the scale of its default.
+// Share of the frame's extent that an image of the variant has, to be rounded up. Below 1 it follows the
+// switch RATIO, where the pass has it: the table has the scale of its default.
 double scaleOf(const Variant& variant, const ImageInfo& image);
 
 // Canonical name: the pass, then each switch off its default in table order, in lower case:

@@ -22,7 +22,12 @@ struct SceneNeeds {
     bool ambientOcclusion = false;
     bool sunShadows = false;
     bool reversedShadows = false; // depth of the shadow map is reversed
+    bool normals = false;         // the engine's normals, FrameInput::normal, in occlusion and upsampling
     bool cachedValue = false;     // a value of the engine's, FrameInput::fresh, without the two above
+    // The engine hands over its light in parts and the plan puts them together with what is cached; the value
+    // of cachedValue counts as an occlusion. Anti-aliasing then takes that colour.
+    bool combinesLighting = false;
+    bool otherLight = false; // combinesLighting: light that neither occlusion nor shadow touches
 };
 
 // The framework's steps, for whatever the needs ask it to cache.
