@@ -19,27 +19,27 @@ layout(location = 0) out vec4 gOutUpsampled;
 
 void main()
 {
-    vec2 _66 = gl_FragCoord.xy * vec2(0.5) + vec2(-0.5);
-    vec2 _67 = floor(_66);
-    vec2 _68 = _66 - _67;
-    vec2 _69 = vec2(1.0) - _68;
-    vec2 _70 = max(parameters.gCoarseSize.xy, vec2(1.0));
-    vec2 _71 = _70 - vec2(1.0);
-    vec2 _74 = (clamp(_67, vec2(0.0), _71) + vec2(0.5)) / _70;
-    vec2 _78 = (clamp(_67 + vec2(1.0), vec2(0.0), _71) + vec2(0.5)) / _70;
-    vec2 _81 = vec2(_78.x, _74.y);
-    vec2 _84 = vec2(_74.x, _78.y);
-    float _85 = _69.x;
-    float _86 = _68.x;
-    vec4 _106 = vec4(textureLod(gInFiltered, _74, 0.0).x, textureLod(gInFiltered, _81, 0.0).x, textureLod(gInFiltered, _84, 0.0).x, textureLod(gInFiltered, _78, 0.0).x);
-    bvec4 _108 = lessThanEqual(abs(_106), vec4(65504.0));
-    vec4 _109 = vec4(_108.x ? _106.x : vec4(1.9999999360571384930131252153835e+38).x, _108.y ? _106.y : vec4(1.9999999360571384930131252153835e+38).y, _108.z ? _106.z : vec4(1.9999999360571384930131252153835e+38).z, _108.w ? _106.w : vec4(1.9999999360571384930131252153835e+38).w);
+    vec2 _62 = gl_FragCoord.xy * vec2(0.5) + vec2(-0.5);
+    vec2 _63 = floor(_62);
+    vec2 _64 = _62 - _63;
+    vec2 _65 = vec2(1.0) - _64;
+    vec2 _66 = max(parameters.gCoarseSize.xy, vec2(1.0));
+    vec2 _67 = _66 - vec2(1.0);
+    vec2 _70 = (clamp(_63, vec2(0.0), _67) + vec2(0.5)) / _66;
+    vec2 _74 = (clamp(_63 + vec2(1.0), vec2(0.0), _67) + vec2(0.5)) / _66;
+    vec2 _77 = vec2(_74.x, _70.y);
+    vec2 _80 = vec2(_70.x, _74.y);
+    float _81 = _65.x;
+    float _82 = _64.x;
+    vec4 _102 = vec4(textureLod(gInFiltered, _70, 0.0).x, textureLod(gInFiltered, _77, 0.0).x, textureLod(gInFiltered, _80, 0.0).x, textureLod(gInFiltered, _74, 0.0).x);
+    bvec4 _104 = lessThanEqual(abs(_102), vec4(65504.0));
+    vec4 _105 = vec4(_104.x ? _102.x : vec4(1.9999999360571384930131252153835e+38).x, _104.y ? _102.y : vec4(1.9999999360571384930131252153835e+38).y, _104.z ? _102.z : vec4(1.9999999360571384930131252153835e+38).z, _104.w ? _102.w : vec4(1.9999999360571384930131252153835e+38).w);
     vec4 _128 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
     float _129 = _128.x;
     float _137 = _129 * parameters.gLinearDepth.x + parameters.gLinearDepth.y;
-    vec4 _148 = vec4(lessThanEqual(abs(_109), vec4(9.9999996802856924650656260769173e+37)));
-    vec4 _151 = abs(vec4((abs(_129 - 0.5) <= 0.5) ? (((_137 > 0.0) && (_137 < min(parameters.gSkyDepth, 65504.0))) ? _137 : 65504.0) : 65504.0) - vec4(textureLod(gInCoarseDepth, _74, 0.0).x, textureLod(gInCoarseDepth, _81, 0.0).x, textureLod(gInCoarseDepth, _84, 0.0).x, textureLod(gInCoarseDepth, _78, 0.0).x));
-    vec4 _157 = (vec4(_85, _86, _85, _86) * vec4(_69.yy, _68.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _151);
+    vec4 _148 = vec4(lessThanEqual(abs(_105), vec4(9.9999996802856924650656260769173e+37)));
+    vec4 _151 = abs(vec4((abs(_129 - 0.5) <= 0.5) ? (((_137 > 0.0) && (_137 < min(parameters.gSkyDepth, 65504.0))) ? _137 : 65504.0) : 65504.0) - vec4(textureLod(gInCoarseDepth, _70, 0.0).x, textureLod(gInCoarseDepth, _77, 0.0).x, textureLod(gInCoarseDepth, _80, 0.0).x, textureLod(gInCoarseDepth, _74, 0.0).x));
+    vec4 _157 = (vec4(_81, _82, _81, _82) * vec4(_65.yy, _64.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _151);
     bvec4 _158 = greaterThan(_148 * vec4(lessThanEqual(abs(_151), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
     vec4 _159 = vec4(_158.x ? _157.x : vec4(0.0).x, _158.y ? _157.y : vec4(0.0).y, _158.z ? _157.z : vec4(0.0).z, _158.w ? _157.w : vec4(0.0).w);
     bvec4 _160 = greaterThan(_159, vec4(0.0));
@@ -52,6 +52,6 @@ void main()
     vec4 _182 = _173 / vec4(max(dot(_173, vec4(1.0)), 1.0));
     bvec4 _183 = bvec4((_162 >= 1.0000000031710768509710513471353e-30) && (_162 <= 9.9999996802856924650656260769173e+37));
     bvec4 _185 = greaterThan(_148, vec4(0.5));
-    gOutUpsampled = vec4(dot(vec4(_185.x ? _109.x : vec4(0.0).x, _185.y ? _109.y : vec4(0.0).y, _185.z ? _109.z : vec4(0.0).z, _185.w ? _109.w : vec4(0.0).w), vec4(_183.x ? _178.x : _182.x, _183.y ? _178.y : _182.y, _183.z ? _178.z : _182.z, _183.w ? _178.w : _182.w)), 0.0, 0.0, 0.0);
+    gOutUpsampled = vec4(dot(vec4(_185.x ? _105.x : vec4(0.0).x, _185.y ? _105.y : vec4(0.0).y, _185.z ? _105.z : vec4(0.0).z, _185.w ? _105.w : vec4(0.0).w), vec4(_183.x ? _178.x : _182.x, _183.y ? _178.y : _182.y, _183.z ? _178.z : _182.z, _183.w ? _178.w : _182.w)), 0.0, 0.0, 0.0);
 }
 

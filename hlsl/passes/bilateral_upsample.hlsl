@@ -44,8 +44,7 @@ float knownDepth(float depth) {
     return depth > 0.0 && depth < min(gSkyDepth, SKY_DEPTH) ? depth : SKY_DEPTH;
 }
 
-float readDepth(float2 uv) {
-    float depth = SAMPLE(gInDepth, uv).r;
+float linearDepth(float depth) {
 #if DEPTH_LINEAR
     return knownDepth(depth);
 #else
@@ -84,27 +83,42 @@ float2 unpackValues(float value) {
 }
 #endif
 
-float2 upsampledValues(float2 positionPx) {
-    float2 uv = pxToUv(positionPx, gOutputSize.zw);
-    CoarseFootprint footprint = coarseFootprint(positionPx, COARSE_TEXEL_PX, gCoarseSize.xy);
-    float4 values = readRed(TEXTURE_ARGUMENT(gInFiltered), footprint, positionPx);
-    values = abs(values) <= MAX_COLOUR ? values : 2.0 * LARGEST_NUMBER;   // no number, and has no share
-    float4 depths = readRed(TEXTURE_ARGUMENT(gInCoarseDepth), footprint, positionPx);
+// What the four coarse texels of a footprint hold, which several pixels share.
+struct CoarseTexels {
+    float4 values, depths;
 #if NORMAL_WEIGHTS
-    float4 normalWeights = normalWeightsOf(
-        readCoarseNormal(footprint.leftUp), readCoarseNormal(footprint.rightUp),
-        readCoarseNormal(footprint.leftDown), readCoarseNormal(footprint.rightDown),
-        SAMPLE(gInNormal, uv).xyz, gContrast);
+    float3 normals[4];
+#endif
+};
+
+CoarseTexels readCoarse(CoarseFootprint footprint, float2 positionPx) {
+    CoarseTexels coarse;
+    float4 values = readRed(TEXTURE_ARGUMENT(gInFiltered), footprint, positionPx);
+    coarse.values = abs(values) <= MAX_COLOUR ? values : 2.0 * LARGEST_NUMBER;   // no number, no share
+    coarse.depths = readRed(TEXTURE_ARGUMENT(gInCoarseDepth), footprint, positionPx);
+#if NORMAL_WEIGHTS
+    coarse.normals[0] = readCoarseNormal(footprint.leftUp);
+    coarse.normals[1] = readCoarseNormal(footprint.rightUp);
+    coarse.normals[2] = readCoarseNormal(footprint.leftDown);
+    coarse.normals[3] = readCoarseNormal(footprint.rightDown);
+#endif
+    return coarse;
+}
+
+float2 upsampledValues(CoarseTexels coarse, float4 bilinearWeights, float2 positionPx, float depth) {
+#if NORMAL_WEIGHTS
+    float3 normal = SAMPLE(gInNormal, pxToUv(positionPx, gOutputSize.zw)).xyz;
+    float4 normalWeights = normalWeightsOf(coarse.normals[0], coarse.normals[1], coarse.normals[2],
+                                           coarse.normals[3], normal, gContrast);
 #else
     float4 normalWeights = float4(1.0, 1.0, 1.0, 1.0);
 #endif
+    float4 values = coarse.values;
 #if VALUES_ONE
-    return float2(
-        bilateralUpsample(values, footprint.bilinearWeights, normalWeights, depths, readDepth(uv)), 0.0);
+    return float2(bilateralUpsample(values, bilinearWeights, normalWeights, coarse.depths, depth), 0.0);
 #else
     return bilateralUpsample(unpackValues(values.x), unpackValues(values.y), unpackValues(values.z),
-                             unpackValues(values.w), footprint.bilinearWeights, normalWeights, depths,
-                             readDepth(uv));
+                             unpackValues(values.w), bilinearWeights, normalWeights, coarse.depths, depth);
 #endif
 }
 
@@ -112,17 +126,41 @@ float2 upsampledValues(float2 positionPx) {
 
 BINDING(16) RWTexture2D<float4> gOutUpsampled;
 
+void storePixel(CoarseTexels coarse, float2 positionPx, float depth) {
+    CoarseFootprint footprint = coarseFootprint(positionPx, COARSE_TEXEL_PX, gCoarseSize.xy);
+    float2 values = upsampledValues(coarse, footprint.bilinearWeights, positionPx, depth);
+    gOutUpsampled[uint2(positionPx)] = float4(values, 0.0, 0.0);
+}
+
+// Four pixels between the centres of the same coarse texels: one gather for each of three images. Of a ratio
+// of 2 such pixels begin one before a multiple of two, so that groups cover a pixel more than the image has;
+// what lies outside is not stored.
 [numthreads(16, 16, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
-    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
-    gOutUpsampled[thread.xy] = float4(upsampledValues(float2(thread.xy) + 0.5), 0.0, 0.0);
+#if RATIO_4
+    float2 first = 2.0 * float2(thread.xy);
+#else
+    float2 first = 2.0 * float2(thread.xy) - 1.0;
+#endif
+    if (any(first >= gOutputSize.xy)) return;
+    CoarseFootprint footprint = coarseFootprint(first + 1.0, COARSE_TEXEL_PX, gCoarseSize.xy);
+    CoarseTexels coarse = readCoarse(footprint, first + 0.5);
+    float4 depths = GATHER_RED(gInDepth, pxToUv(first + 1.0, gOutputSize.zw)).wzxy;
+    bool2 low = first >= 0.0, high = first + 1.0 < gOutputSize.xy;
+    if (low.x && low.y) storePixel(coarse, first + 0.5, linearDepth(depths.x));
+    if (high.x && low.y) storePixel(coarse, first + float2(1.5, 0.5), linearDepth(depths.y));
+    if (low.x && high.y) storePixel(coarse, first + float2(0.5, 1.5), linearDepth(depths.z));
+    if (high.x && high.y) storePixel(coarse, first + 1.5, linearDepth(depths.w));
 }
 
 #else
 
 // Four components, for shader model 3 takes no fewer.
 float4 mainFragment(float4 positionPx : POSITION_PX) : SV_Target0 {
-    return float4(upsampledValues(positionPx.xy), 0.0, 0.0);
+    CoarseFootprint footprint = coarseFootprint(positionPx.xy, COARSE_TEXEL_PX, gCoarseSize.xy);
+    CoarseTexels coarse = readCoarse(footprint, positionPx.xy);
+    float depth = linearDepth(SAMPLE(gInDepth, pxToUv(positionPx.xy, gOutputSize.zw)).r);
+    return float4(upsampledValues(coarse, footprint.bilinearWeights, positionPx.xy, depth), 0.0, 0.0);
 }
 
 #endif

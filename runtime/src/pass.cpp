@@ -175,8 +175,8 @@ void draw(const Device& device, VkCommandBuffer commands, const PreparedPass& pr
 void dispatch(const Device& device, VkCommandBuffer commands, const PassInfo& pass, VkExtent2D extent) {
     const uint32_t tileX = pass.threads[0] * pass.pixelsPerThread[0];
     const uint32_t tileY = pass.threads[1] * pass.pixelsPerThread[1];
-    device.vk->CmdDispatch(commands, (extent.width + tileX - 1) / tileX, (extent.height + tileY - 1) / tileY,
-                           1);
+    const uint32_t width = extent.width + pass.overhang[0], height = extent.height + pass.overhang[1];
+    device.vk->CmdDispatch(commands, (width + tileX - 1) / tileX, (height + tileY - 1) / tileY, 1);
 }
 
 } // namespace

@@ -83,7 +83,7 @@ TEST_P(BilateralFilter, brokenTexelsStayInTheFootprintAndAreFilledFromTheirNeigh
 }
 
 // Step 6: the fewer frames the history holds, the less of its own value a texel keeps. On one surface that is
-// centre / (centre + smoothing (1 - centre)), smoothing from 1 at 8 frames to 4 at none.
+// centre / (centre + smoothing (1 - centre)), smoothing from 0.7 at 8 frames to 3.7 at none.
 TEST_P(BilateralFilter, filtersMoreWhereConvergenceIsLow) {
     const Variant variant = variantOf(pack(), "bilateral_filter");
     Pass pass(variant, GetParam(), {rgba32f});
@@ -94,7 +94,7 @@ TEST_P(BilateralFilter, filtersMoreWhereConvergenceIsLow) {
             for (int c = 0; c < 4; ++c)
                 frame.cache.at(x, 0, c) = texel[static_cast<size_t>(c)];
         }
-        const double smoothing = 4.0 - 3.0 * std::min(double{frames} / 8.0, 1.0), centre = 0.402619947;
+        const double smoothing = 3.7 - 3.0 * std::min(double{frames} / 8.0, 1.0), centre = 0.402619947;
         // A step of the filter's weights may let some of the centre into a tap.
         EXPECT_NEAR(run(pass, frame)[0].at(16, 0, 0), centre / (centre + smoothing * (1.0 - centre)), 1e-5)
             << frames;

@@ -232,8 +232,8 @@ void Reader::readOutput(const toml::table& table, const PassInfo& pass, std::vec
 }
 
 void Reader::readPass(const toml::table& table) {
-    allow(table, {"name", "file", "stages", "fullscreen", "threads", "pixels_per_thread", "summary", "source",
-                  "parameters", "switch", "input", "output"});
+    allow(table, {"name", "file", "stages", "fullscreen", "threads", "pixels_per_thread", "overhang",
+                  "summary", "source", "parameters", "switch", "input", "output"});
     PassInfo pass{};
     pass.name = text(table, "name");
     if (std::ranges::find(storage_.passes, pass.name, &PassInfo::name) != storage_.passes.end())
@@ -246,6 +246,7 @@ void Reader::readPass(const toml::table& table) {
     std::ranges::fill(pass.pixelsPerThread, 1u);
     numbers(table, "threads", pass.threads);
     numbers(table, "pixels_per_thread", pass.pixelsPerThread);
+    numbers(table, "overhang", pass.overhang);
 
     auto& switches = storage_.switchLists.emplace_back();
     each(table, "switch", [&](const toml::table& item) { switches.push_back(readSwitch(item)); });

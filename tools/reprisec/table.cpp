@@ -130,7 +130,7 @@ std::string passElement(Arrays& arrays, const PassInfo& info, uint32_t parameter
            number(info.threads[0]) + ", " + number(info.threads[1]) + ", " + number(info.threads[2]) +
            "}, {" + number(info.pixelsPerThread[0]) + ", " + number(info.pixelsPerThread[1]) + "}, " +
            number(parameterBytes) + ", " + switches + ",\n     " + bindings + ", " + inputs + ", " + outputs +
-           "}";
+           ", {" + number(info.overhang[0]) + ", " + number(info.overhang[1]) + "}}";
 }
 
 std::string addPresets(Arrays& arrays, const Pack& pack, const PassInfo& info) {
@@ -140,8 +140,7 @@ std::string addPresets(Arrays& arrays, const Pack& pack, const PassInfo& info) {
         elements.push_back("{" + literal(each.name) + ", " + literal(each.summary) + ", " +
                            addConditions(arrays, name, each.switches) + ", " +
                            std::to_string(each.feedbackMin) + "f, " + std::to_string(each.feedbackMax) +
-                           "f, " +
-                           (each.rampFeedback ? "true" : "false") + "}");
+                           "f, " + (each.rampFeedback ? "true" : "false") + "}");
     }
     return arrays.add("PresetInfo", std::string(info.name) + "_presets", elements);
 }

@@ -70,6 +70,7 @@ struct PassInfo {
     std::span<const BindingInfo> bindings; // union over the variants
     std::span<const ImageInfo> inputs;
     std::span<const ImageInfo> outputs; // fragment: SV_Target order
+    uint32_t overhang[2] = {0, 0}; // pixels beyond the image that the groups of the compute form cover
 };
 
 struct PresetInfo {
