@@ -267,7 +267,7 @@ Case screenCopyCase(const Platform& platform, const fs::path& directory, const C
 
 // Passes that take the position for that of a whole texel, and read texels alone: half a pixel does not show.
 bool showsHalfAPixel(std::string_view pass) {
-    return pass != "depth_hierarchy" && pass != "obscurance_filter";
+    return pass != "depth_hierarchy" && pass != "obscurance_filter" && pass != "combine_lighting";
 }
 
 void addControls(std::vector<Case>& cases, const Platform& platform, const fs::path& directory) {
