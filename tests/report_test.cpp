@@ -361,12 +361,14 @@ TEST(PlanCommand, weighsReadsByThePixelsOfTheOutput) {
         options.stage = stage;
         options.size = "64x64";
         options.cache.ratio = 2;
-        EXPECT_DOUBLE_EQ(reads(), (1 + 6) / 4.0 + 3);
+        // Four pixels of the upsampling's compute form share its three reads.
+        const double upsampling = std::string_view(stage) == "compute" ? 0.75 : 3.0;
+        EXPECT_DOUBLE_EQ(reads(), (1 + 6) / 4.0 + upsampling);
         options.size = "7x5"; // 4x3 coarse texels
-        EXPECT_DOUBLE_EQ(reads(), (1 + 6) * 12 / 35.0 + 3);
+        EXPECT_DOUBLE_EQ(reads(), (1 + 6) * 12 / 35.0 + upsampling);
         options.size = "64x64";
         options.cache.ratio = 4;
-        EXPECT_DOUBLE_EQ(reads(), (4 + 6) / 16.0 + 3);
+        EXPECT_DOUBLE_EQ(reads(), (4 + 6) / 16.0 + upsampling);
     }
     options.occlusion = "scalable_obscurance"; // its hierarchy is half as wide again
     EXPECT_DOUBLE_EQ(reads(), 1.5 + 9);
@@ -421,7 +423,7 @@ TEST(PlanCommand, comparesASceneWithEverythingOn) {
     const std::multiset<std::string> expected{"camera_velocity",    "object_velocity",   "object_velocity",
                                               "depth_downsample",   "ambient_occlusion", "sun_shadow",
                                               "reprojection_cache", "bilateral_filter",  "bilateral_filter",
-                                              "bilateral_upsample", "temporal_aa"};
+                                              "bilateral_upsample", "combine_lighting",  "temporal_aa"};
     EXPECT_EQ(expected, names);
     ASSERT_EQ(1u, scene.passes.size());
     EXPECT_EQ(scene.passes.front().variant.pass->name, "temporal_aa");

@@ -129,6 +129,8 @@ Converged convergedOcclusion(harness::Gpu& gpu, Shaders& shaders, RenderedFrame&
     data.parameters = {
         {"gOutputSize", sizeOf(converged.width, converged.height)},
         {"gViewRay", floats(coarseViewRay(frame.camera, frame.depth.ref.extent, estimate.ratio))},
+        // Of the engine's normals, which this variant does not read.
+        {"gFrameToCoarse", {1.0f, 1.0f}},
         {"gRadius", {static_cast<float>(estimate.radius)}},
         {"gSubsetCount", {static_cast<float>(subsets)}},
         {"gBias", {static_cast<float>(estimate.bias.x), static_cast<float>(estimate.bias.y)}}};
