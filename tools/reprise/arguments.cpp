@@ -41,10 +41,19 @@ fs::path findModel(const std::string& name) {
     return {};
 }
 
-// Passes with a coarse image are measured in the frame that they are steps of: "occlusion".
+// Passes that read anything else, or write an image of another extent, are measured in the frame that they
+// are steps of: "occlusion", "shadow".
 bool hasData(const reprise::PassInfo& pass) {
-    const auto isWhole = [](const reprise::ImageInfo& image) { return image.scale == 1.0f; };
-    return std::ranges::all_of(pass.inputs, isWhole) && std::ranges::all_of(pass.outputs, isWhole);
+    constexpr std::string_view known[] = {"gInColour", "gInDepth", "gInVelocity", "gHistoryColour"};
+    const auto isWhole = [](const reprise::ImageInfo& image) {
+        return image.scale == 1.0f && image.widthScale == 1.0f;
+    };
+    return std::ranges::all_of(pass.outputs, isWhole) &&
+           std::ranges::all_of(pass.inputs, [&](const reprise::ImageInfo& input) {
+               const std::string_view name = input.sameAs.empty() ? input.name : input.sameAs;
+               return input.format.empty() ||
+                      (isWhole(input) && std::ranges::find(known, name) != std::end(known));
+           });
 }
 
 std::vector<std::string> techniqueNames(const reprisec::Pack& pack) {

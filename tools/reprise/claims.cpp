@@ -195,15 +195,26 @@ std::string timedName(const Row& row) {
     return fmt::format("{} {}, {}{}", row.technique, row.variant, row.stage, scene);
 }
 
-Claim efficiency(const Judge& judge) {
-    Claim claim{"efficiency", "Reprise", "Every pass reaches 0.7 of the floor with its own reads and writes",
-                {},           nullptr,   {}};
+// lighting: of the passes of the framework and of scalable obscurance, of which some compute more than they
+// read; else of all others.
+Claim efficiency(const Judge& judge, bool lighting) {
+    Claim claim{
+        lighting ? "efficiency, lighting" : "efficiency",
+        "Reprise",
+        lighting
+            ? "Every pass of lighting reaches 0.7 of the floor with its own reads and writes"
+            : "Every pass of anti-aliasing and motion reaches 0.7 of the floor with its own reads and writes",
+        {},
+        nullptr,
+        {}};
     const Row* worst = nullptr;
     std::set<std::string> timed, below;
     for (const Row& row : judge.report().rows) {
-        if (!row.efficiency) continue;
+        if (!row.efficiency || (row.errorUnit == "visibility") != lighting) continue;
         if (!worst || *row.efficiency < *worst->efficiency) worst = &row;
-        if (!timed.insert(row.file + row.scene).second || *row.efficiency >= leastEfficiency) continue;
+        if (!timed.insert(row.file + row.scene + (lighting ? row.variant : "")).second ||
+            *row.efficiency >= leastEfficiency)
+            continue;
         below.insert(fmt::format("{} {:.2f}", timedName(row), *row.efficiency));
     }
     if (!worst) return claim;
@@ -293,7 +304,8 @@ std::vector<Claim> judgeClaims(const Report& report, const Plan& plan) {
     claims.push_back(leanWithin(
         judge, {"speed, copy", "The lean preset takes at most 2.1 times a copy (a GPU, compute form)",
                 "times a copy", &Row::perCopy, 2.1, false, "compute"}));
-    claims.push_back(efficiency(judge));
+    claims.push_back(efficiency(judge, false));
+    if (plan.hasLighting()) claims.push_back(efficiency(judge, true));
     claims.push_back(formsAgree(judge));
     std::ranges::move(judgeLighting(report, plan), std::back_inserter(claims));
     for (Claim& claim : claims)

@@ -16,7 +16,7 @@ void addReport(CLI::App& app, ReportOptions& o, std::function<void()>& run) {
     command->add_flag("--quick", o.quick, "320x180, 16 frames, 9 rounds of timing: minutes on two cores");
     command->add_option("--scene", o.scenes, "A built-in scene's name or a glTF, GLB or OBJ file; repeatable")
         ->allow_extra_args(false);
-    command->add_option("--technique", o.technique, "One pass of the table (default: all)");
+    command->add_option("--technique", o.technique, "One pass of the table, or occlusion, shadow, lighting (default: all)");
     command->add_option("--size", o.size, "WIDTHxHEIGHT of error and time (default: 640x360 and 1280x720)");
     command->add_option("--frames", o.frames, "Frames of a sequence (default: 32, quick 16)")
         ->check(CLI::Range(1, 10000));
