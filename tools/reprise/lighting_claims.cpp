@@ -166,24 +166,6 @@ Claim within(const Judge& judge, const Bar& bar) {
     return claim;
 }
 
-// Wronski: "effective sample count increase" of three rotations.
-Claim rotations(const Judge& judge) {
-    Claim claim{"W2",
-                "Wronski",
-                "On a still image three rotations in turn err at most 5 % more than three times the samples",
-                "3x more samples",
-                nullptr,
-                {}};
-    const Row *turned = judge.row("occlusion", obscurance, "hall_static"),
-              *many = judge.row("occlusion", "obscurance + history off, samples 21", "hall_static");
-    if (!turned || !many || !turned->error.rmse || !many->error.rmse) return claim;
-    claim.measured = {{"three rotations of 7 samples", *turned->error.rmse},
-                      {"21 samples", *many->error.rmse},
-                      {"measure", "RMSE against rays, blurred both"}};
-    claim.holds = *turned->error.rmse <= 1.05 * *many->error.rmse;
-    return claim;
-}
-
 } // namespace
 
 std::vector<Claim> judgeLighting(const Report& report, const Plan& plan) {
@@ -196,7 +178,6 @@ std::vector<Claim> judgeLighting(const Report& report, const Plan& plan) {
         {"D7", "Drobot", "History lowers the error of the same samples on every scene", {}, nullptr, {}},
         both, framework, withoutHistory));
     claims.push_back(trailing(judge));
-    claims.push_back(rotations(judge));
     claims.push_back(errsLess(judge,
                               {"W5",
                                "Wronski",

@@ -209,8 +209,8 @@ double readsOf(Experiment& e, const reprise::FramePlan& plan) {
 
 void fill(Row& row, Experiment& e, const Stopwatch& watch, const TimedLighting& each) {
     row.gpu = watch.timing(each.timed.section);
-    row.perNineTaps = row.gpu->min / watch.floorOf("nine taps", each.stage).min;
-    row.perCopy = row.gpu->min / watch.floorOf("copy", each.stage).min;
+    row.perNineTaps = row.gpu->median / watch.floorOf("nine taps", each.stage).median;
+    row.perCopy = row.gpu->median / watch.floorOf("copy", each.stage).median;
     row.memoryBytes = each.timed.plan.bytes;
     row.readsPerPixel = readsOf(e, each.timed.plan);
     for (const std::string& pass : each.timed.passes)
@@ -237,8 +237,8 @@ Row passRow(Experiment& e, const Stopwatch& watch, const TimedLighting& each, si
     row.gpu = watch.timing(section);
     row.floorMs = watch.timing(floorOf(section)).min;
     row.efficiency = *row.floorMs / row.gpu->min;
-    row.perNineTaps = row.gpu->min / watch.floorOf("nine taps", each.stage).min;
-    row.perCopy = row.gpu->min / watch.floorOf("copy", each.stage).min;
+    row.perNineTaps = row.gpu->median / watch.floorOf("nine taps", each.stage).median;
+    row.perCopy = row.gpu->median / watch.floorOf("copy", each.stage).median;
     row.passes = {{row.technique, row.gpu->median}};
     row.readsPerPixel =
         readsPerPixel(pass.variant, pass.stage, e.shaders.get(pass.variant, pass.stage).reflection);

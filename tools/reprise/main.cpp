@@ -16,7 +16,8 @@ void addReport(CLI::App& app, ReportOptions& o, std::function<void()>& run) {
     command->add_flag("--quick", o.quick, "320x180, 16 frames, 9 rounds of timing: minutes on two cores");
     command->add_option("--scene", o.scenes, "A built-in scene's name or a glTF, GLB or OBJ file; repeatable")
         ->allow_extra_args(false);
-    command->add_option("--technique", o.technique, "One pass of the table, or occlusion, shadow, lighting (default: all)");
+    command->add_option("--technique", o.technique,
+                        "One pass of the table, or occlusion, shadow, lighting (default: all)");
     command->add_option("--size", o.size, "WIDTHxHEIGHT of error and time (default: 640x360 and 1280x720)");
     command->add_option("--frames", o.frames, "Frames of a sequence (default: 32, quick 16)")
         ->check(CLI::Range(1, 10000));
@@ -82,7 +83,8 @@ void addPlan(CLI::App& app, PlanOptions& o, std::function<void()>& run) {
     command->add_flag("--cached-value", n.cachedValue, "A value of the engine's is cached");
     command->add_flag("--normals", n.normals, "The engine gives normals in view space");
     command->add_flag("--combine-lighting", n.combinesLighting, "Light is put together with its visibility");
-    command->add_flag("--other-light", n.otherLight, "Light that neither occlusion nor shadow touches is added");
+    command->add_flag("--other-light", n.otherLight,
+                      "Light that neither occlusion nor shadow touches is added");
     addCacheOptions(*command, o);
     command->add_option("--stage", o.stage, "fragment or compute")->capture_default_str();
     command->add_option("--preset", o.preset, "Preset of temporal_aa")->capture_default_str();

@@ -76,10 +76,9 @@ std::vector<RowSpec> temporalRows(const reprisec::Pack& pack, Stage stage,
     std::vector<RowSpec> rows;
     rows.push_back({.label = "none", .variant = {}, .jitter = JitterSequence::none});
     for (const auto& preset : pack.presets("temporal_aa"))
-        rows.push_back(
-            {.label = std::string(preset.name),
-             .variant = presetVariant(pack, preset.name, stage),
-             .preset = std::string(preset.name)});
+        rows.push_back({.label = std::string(preset.name),
+                        .variant = presetVariant(pack, preset.name, stage),
+                        .preset = std::string(preset.name)});
     for (const std::string& name : flipped)
         addFlips(presetVariant(pack, name, stage), name, stage, rows);
     const Variant inside = presetVariant(pack, "inside", stage);

@@ -88,7 +88,7 @@ std::vector<Shaders::Request> variantsOf(const Plan& plan, const reprisec::Pack&
     return result;
 }
 
-// Ratios are those of the fastest runs, which other work on the machine disturbs least.
+// Efficiency is that of the fastest runs, which other work on the machine disturbs least.
 void addTimes(Row& row, const Timing& pass, const Timing& floor) {
     row.gpu = pass;
     row.floorMs = floor.min;
@@ -98,8 +98,8 @@ void addTimes(Row& row, const Timing& pass, const Timing& floor) {
 
 void addTimes(Row& row, const Stopwatch& watch, const PassTiming& timing, Stage stage) {
     addTimes(row, timing.gpu, timing.floor);
-    row.perNineTaps = timing.gpu.min / watch.floorOf("nine taps", stage).min;
-    row.perCopy = timing.gpu.min / watch.floorOf("copy", stage).min;
+    row.perNineTaps = timing.gpu.median / watch.floorOf("nine taps", stage).median;
+    row.perCopy = timing.gpu.median / watch.floorOf("copy", stage).median;
     row.readsPerPixel = timing.readsPerPixel;
 }
 
