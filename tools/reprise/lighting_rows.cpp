@@ -129,10 +129,14 @@ std::vector<LightingSpec> lightingRows(Cached cached, bool quick) {
     return rows;
 }
 
-// On the terminal, and in pictures.
-bool isChiefLighting(const std::string& variant) {
-    return variant == "reference" || variant == "framework" || variant == "framework + history off" ||
-           variant == "packed, shadow_in_integer" || variant == "obscurance";
+std::span<const std::string_view> chiefLighting() {
+    static constexpr std::string_view names[] = {"reference", "framework", "framework + history off",
+                                                 "packed, shadow_in_integer", "obscurance"};
+    return names;
+}
+
+bool isChiefLighting(std::string_view variant) {
+    return std::ranges::find(chiefLighting(), variant) != chiefLighting().end();
 }
 
 std::vector<Cached> cachedOf(const Plan& plan) {

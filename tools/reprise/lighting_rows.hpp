@@ -21,7 +21,9 @@ struct LightingSpec {
     std::vector<reprise::Condition> overrides;
 };
 
-bool isChiefLighting(const std::string& variant);
+// Rows for the terminal, and in pictures.
+std::span<const std::string_view> chiefLighting();
+bool isChiefLighting(std::string_view variant);
 
 // Metres, of what occludes: of the rows and of their ground truth.
 inline constexpr float occlusionRadius = 1.0f;

@@ -41,6 +41,9 @@ Json settingsJson(const Plan& plan, const reprisec::Pack& pack, bool quick) {
             {"scenes", scenes},
             {"techniques", plan.techniques},
             {"presets", presets},
+            {"chief_lighting", plan.hasLighting() ? Json(std::vector<std::string>(chiefLighting().begin(),
+                                                                                  chiefLighting().end()))
+                                                  : Json::array()},
             {"stages", stages},
             {"error_size", sizeText(plan.errorSize)},
             {"timing_size", sizeText(plan.timingSize)},

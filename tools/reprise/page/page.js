@@ -6,7 +6,7 @@ const report = JSON.parse(document.getElementById("data").textContent);
 const pictures = JSON.parse(document.getElementById("pictures").textContent);
 const byId = id => document.getElementById(id);
 const unique = values => [...new Set(values)];
-const presetNames = report.settings.presets || [];
+const presetNames = (report.settings.presets || []).concat(report.settings.chief_lighting || []);
 const picked = new Set();
 let sortKey = "flip", sortUp = true;
 
@@ -71,7 +71,8 @@ function drawCurves() {
   const measure = byId("measure").value === "flip" ? "flip" : "rmse", rows = pickedRows();
   const scene = (report.settings.scenes || []).find(s => s.name === byId("scene").value);
   const lines = rows.map(r => ({label: r.variant, values: r.per_frame[measure], colour: colourOf(r, rows)}));
-  byId("curves").innerHTML = lineChart(lines, scene ? scene.cut_frame : -1, measures[measure]);
+  byId("curves").innerHTML = lineChart(lines, scene ? Math.max(scene.cut_frame, scene.event_frame) : -1, measures[measure],
+    scene && scene.event_frame >= 0 ? "occluder gone" : "camera cut");
 }
 
 function cell(row, key, value) {
@@ -117,7 +118,7 @@ function toggle(row) {
   draw();
 }
 
-// One line per preset, per scene FLIP, flicker and time; the best of each scene is bold.
+// One line per preset, per scene FLIP or RMSE, flicker and time; the best of each scene is bold.
 function drawSummary() {
   const stage = byId("stage").value;
   const rows = report.rows.filter(r => r.technique === byId("technique").value && isNamed(r) &&
@@ -125,6 +126,7 @@ function drawSummary() {
   const names = unique(rows.map(r => r.variant)), scenes = unique(rows.map(r => r.scene));
   byId("summary-section").hidden = names.length === 0;
   const find = (name, scene) => rows.find(r => r.variant === name && r.scene === scene);
+  const chief = rows.some(r => r.error.flip !== null) ? "flip" : "rmse";
   const least = (scene, key) => Math.min(...rows.filter(r => r.scene === scene && r.error[key] !== null)
     .map(r => r.error[key]));
   const value = (name, scene, key) => {
@@ -134,10 +136,10 @@ function drawSummary() {
   };
   byId("summary").innerHTML = `<tr><th></th><th>time, ms</th>${scenes.map(s =>
     `<th colspan="2">${escapeHtml(s)}</th>`).join("")}</tr><tr><th></th><th></th>${scenes.map(() =>
-    "<th>FLIP</th><th>flicker</th>").join("")}</tr>` + names.map(n => {
+    `<th>${measures[chief]}</th><th>flicker</th>`).join("")}</tr>` + names.map(n => {
     const timed = rows.find(r => r.variant === n && r.gpu_ms);
     return `<tr><td>${escapeHtml(n)}</td><td>${timed ? number(timed.gpu_ms.median, 4) : ""}</td>` +
-      scenes.map(s => value(n, s, "flip") + value(n, s, "flicker")).join("") + "</tr>";
+      scenes.map(s => value(n, s, chief) + value(n, s, "flicker")).join("") + "</tr>";
   }).join("");
 }
 
@@ -169,9 +171,12 @@ function drawCompare() {
   const scene = pictures[byId("scene").value];
   byId("compare-section").hidden = !scene;
   if (!scene) return;
-  const names = Object.keys(scene.images), zoom = Number(byId("zoom").value);
-  fill("left", names, byId("left").value || "none");
-  fill("right", names, byId("right").value || "best");
+  // Pictures of a technique of lighting begin with its name.
+  const technique = byId("technique").value + ", ", all = Object.keys(scene.images);
+  const own = all.filter(n => n.startsWith(technique)), names = own.length > 0 ? own : all;
+  const zoom = Number(byId("zoom").value), chosen = (id, first) => names.includes(byId(id).value) ? byId(id).value : first;
+  fill("left", names, chosen("left", own.length > 0 ? technique + "truth" : "none"));
+  fill("right", names, chosen("right", own.length > 0 ? technique + "framework" : "best"));
   byId("frame").textContent = `frame ${scene.frame}`;
   for (const side of ["left", "right"]) {
     const image = byId(`image-${side}`);
