@@ -2,7 +2,7 @@
 // It includes the runtime's own headers: a pass alone is then given the very parameters of a frame.
 #include "lighting_times.hpp"
 
-#include "floors.hpp"
+#include "commands.hpp"
 #include "frame_parameters.hpp"
 #include "plan_images.hpp"
 
@@ -194,25 +194,12 @@ std::pair<bool, bool> kindOf(const scenes::Scene& scene) {
     return {scene.cameraMoves, objectsMove(scene)};
 }
 
-double readsOf(Experiment& e, const reprise::FramePlan& plan) {
-    double reads = 0.0;
-    for (const PlannedPass& pass : plan.passes) {
-        const auto& output = plan.images[static_cast<size_t>(pass.writeImages.front())];
-        const auto& last = plan.images[static_cast<size_t>(plan.passes.back().writeImages.front())];
-        const double share = double(output.extent.width) * output.extent.height /
-                             (double(last.extent.width) * last.extent.height);
-        reads += share *
-                 readsPerPixel(pass.variant, pass.stage, e.shaders.get(pass.variant, pass.stage).reflection);
-    }
-    return reads;
-}
-
 void fill(Row& row, Experiment& e, const Stopwatch& watch, const TimedLighting& each) {
     row.gpu = watch.timing(each.timed.section);
     row.perNineTaps = row.gpu->median / watch.floorOf("nine taps", each.stage).median;
     row.perCopy = row.gpu->median / watch.floorOf("copy", each.stage).median;
     row.memoryBytes = each.timed.plan.bytes;
-    row.readsPerPixel = readsOf(e, each.timed.plan);
+    row.readsPerPixel = costOf(e.shaders, each.timed.plan, e.plan.timingSize).readsPerPixel;
     for (const std::string& pass : each.timed.passes)
         row.passes.push_back({pass.substr(pass.rfind(": ") + 2), watch.timing(pass).median});
 }

@@ -53,8 +53,8 @@ struct CacheTuning {
     glm::vec2 speedPx{32.0f, 128.0f};       // coarse texels a frame: history fades, history has no weight
     glm::vec2 change{1.0f, 0.05f};          // deviations and difference that history may differ by
     glm::vec2 depthAmplitude{0.0f, 120.0f}; // of the filter, 1 / metres and 1 / share of the depth
-    float converged = 4.0f;                 // frames from which on the filter is the document's
-    float maxSmoothing = 4.0f;              // of its neighbours' weight without history, 1 to 16
+    float converged = 4.0f;                 // frames from which on the history counts as converged
+    float maxSmoothing = 4.0f;  // times the document's weight of the neighbours, without history, 1 to 16
     float minSmoothing = 0.05f; // the same with a converged history, 0 to 1: 1 is the document's, 0 no filter
     float filterStep = 1.0f;    // texels between the filter's texels: 1 reaches four, 2 eight
     float normalContrast = 8.0f; // of upsampling by normals: exponent of the cosine
