@@ -471,6 +471,8 @@ TEST(Plan, mistakesOfTheCacheAreSentences) {
         says(tryPlan(lighting({.sunShadows = true}), {.cache = {.ratio = 1}}), "a recorder for each"));
     EXPECT_TRUE(says(tryPlan(lighting({.sunShadows = true}), {.cache = {.cascades = 5}}), "CASCADES"));
     EXPECT_TRUE(says(tryPlan(lighting(), {.cache = {.samples = 5}}), "SAMPLES"));
+    // A value of the switch VALUES, but not for two values.
+    EXPECT_TRUE(says(tryPlan(lighting({.sunShadows = true}), {.cache = {.packing = "one"}}), "packing is"));
     EXPECT_TRUE(says(tryPlan(lighting({.cachedValue = true})), "a recorder for each"));
     EXPECT_TRUE(says(tryPlan({.combinesLighting = true}), "combinesLighting"));
 }

@@ -144,6 +144,10 @@ Result<void> checkCache(const SceneNeeds& needs, const CacheSettings& cache) {
             ErrorCode::invalidArgument,
             "Occlusion and shadows share a cache below full resolution only, where upsampling unpacks "
             "them; at a ratio of 1 make a plan and a recorder for each."};
+    if (cache.packing != "occlusion_in_integer" && cache.packing != "shadow_in_integer")
+        return Error{ErrorCode::invalidArgument,
+                     "CacheSettings::packing is occlusion_in_integer or shadow_in_integer, not '" +
+                         std::string(cache.packing) + "'."};
     if (!isOcclusion(cache.occlusion))
         return Error{ErrorCode::invalidArgument, "CacheSettings::occlusion is ambient_occlusion or "
                                                  "scalable_obscurance, not '" +
