@@ -2,7 +2,7 @@
 // Two charts as SVG text: points against two axes, and lines over frames.
 "use strict";
 
-const palette = ["#0b62c4", "#c2410c", "#177a3c", "#8b3fc1", "#b3261e", "#00808a", "#9a6a00", "#d1478f",
+const palette = ["#0b62c4", "#c2410c", "#177a3c", "#8b3fc1", "#00808a", "#9a6a00", "#d1478f", "#b3261e",
   "#5b6470", "#4f7d00"];
 
 function escapeHtml(text) {
@@ -55,11 +55,11 @@ function padded(values, fromZero) {
 }
 
 // A label beside a point, unless it would cover one that is already there.
-function placeLabel(placed, x, y, text, right) {
+function placeLabel(placed, x, y, text, left, right) {
   const width = text.length * 6.3;
   for (const [dx, dy] of [[8, 4], [8, -8], [8, 16], [-8 - width, 4], [-8 - width, -8], [-8 - width, 16]]) {
     const box = [x + dx, y + dy - 10, x + dx + width, y + dy + 2];
-    if (box[2] > right + 10) continue;
+    if (box[0] < left || box[2] > right + 10) continue;
     if (placed.some(p => box[0] < p[2] && box[2] > p[0] && box[1] < p[3] && box[3] > p[1])) continue;
     placed.push(box);
     return `<text class="label" x="${x + dx}" y="${y + dy}">${escapeHtml(text)}</text>`;
@@ -86,7 +86,7 @@ function scatterChart(points, level, xLabel, yLabel) {
   for (const p of ordered.slice().reverse())
     svg += `<circle data-id="${p.id}" cx="${f.sx(p.x)}" cy="${f.sy(p.y)}" r="${p.named ? 6 : 4.5}"
       fill="${p.colour}" fill-opacity="${p.named || p.front ? 1 : 0.55}"><title>${escapeHtml(p.title)}</title></circle>`;
-  for (const p of ordered) svg += placeLabel(placed, f.sx(p.x), f.sy(p.y), p.label, f.right);
+  for (const p of ordered) svg += placeLabel(placed, f.sx(p.x), f.sy(p.y), p.label, f.left, f.right);
   return `<svg viewBox="0 0 ${width} ${height}" role="img">${svg}</svg>`;
 }
 

@@ -40,6 +40,8 @@ function fillFilters() {
   fill("stage", unique(rows.filter(r => r.stage).map(r => r.stage)), byId("stage").value);
   const known = Object.keys(measures).filter(m => rows.some(r => r.error[m] !== null));
   byId("measure").innerHTML = known.map(m => `<option value="${m}">${measures[m]}</option>`).join("");
+  sortKey = known[0] || "ms";
+  sortUp = true;
 }
 
 function visibleRows() {
@@ -98,12 +100,14 @@ function compareRows(a, b) {
 
 function drawRows() {
   const rows = visibleRows().sort(compareRows);
-  const heads = columns.map(([key, title]) =>
+  const isEmpty = value => value === null || value === undefined || value === "";
+  const shown = columns.filter(([, , get]) => rows.some(r => !isEmpty(get(r))));
+  const heads = shown.map(([key, title]) =>
     `<th data-key="${key}" class="${key === sortKey ? "sorted" : ""}">${title}` +
     `${key === sortKey ? (sortUp ? " ↑" : " ↓") : ""}</th>`).join("");
   byId("rows").innerHTML = `<thead><tr>${heads}</tr></thead><tbody>` + rows.map(r =>
     `<tr data-id="${r.index}" class="${picked.has(r.variant) ? "picked" : ""}">` +
-    columns.map(([key, , get]) => cell(r, key, get(r))).join("") + "</tr>").join("") + "</tbody>";
+    shown.map(([key, , get]) => cell(r, key, get(r))).join("") + "</tr>").join("") + "</tbody>";
   byId("rows").querySelectorAll("th").forEach(h => h.addEventListener("click", () => {
     sortUp = sortKey === h.dataset.key ? !sortUp : true;
     sortKey = h.dataset.key;
@@ -143,16 +147,23 @@ function drawSummary() {
   }).join("");
 }
 
+// "scene: hall_slow_pan; stages of the framework, ms: (depth_downsample: 2.02, ...)"
+function measuredText(value, separator = "; ") {
+  if (value === null) return "";
+  if (typeof value === "number") return number(value);
+  if (typeof value !== "object") return String(value);
+  return Object.entries(value).map(([k, v]) => `${k}: ` +
+    (v !== null && typeof v === "object" ? `(${measuredText(v, ", ")})` : measuredText(v))).join(separator);
+}
+
 function drawClaims() {
-  const text = value => value === null ? "" : typeof value === "object" ?
-    Object.entries(value).map(([k, v]) => `${k} ${typeof v === "number" ? number(v) : v}`).join(", ") : String(value);
   const holds = c => c.holds === null ?
     `<td>${c.measured && c.measured["not applicable"] ? "not applicable" : "not measured"}</td>` : c.holds ? "<td class='good'>holds</td>" :
     "<td class='bad'>does not hold</td>";
   byId("claims").innerHTML = "<tr><th>id</th><th class='text'>claim</th><th class='text'>published</th>" +
     "<th class='text'>measured</th><th></th></tr>" + report.claims.map(c =>
     `<tr><td>${escapeHtml(c.id)}</td><td class="wrap">${escapeHtml(c.claim)}</td>` +
-    `<td class="wrap">${escapeHtml(c.published || "")}</td><td class="wrap">${escapeHtml(text(c.measured))}</td>` +
+    `<td class="wrap">${escapeHtml(c.published || "")}</td><td class="wrap">${escapeHtml(measuredText(c.measured))}</td>` +
     `${holds(c)}</tr>`).join("");
 }
 
