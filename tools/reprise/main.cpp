@@ -44,6 +44,12 @@ void addCheck(CLI::App& app, CheckOptions& o, std::function<void()>& run) {
     command->callback([&] { run = [&o] { checkCommand(o); }; });
 }
 
+// A flag that turns off what is on by default; CLI11's own form shows as "--no-history{false}".
+void addOff(CLI::App& command, const std::string& name, bool& what, const std::string& text) {
+    command.add_flag_callback(
+        name, [&what] { what = false; }, text);
+}
+
 // The fields of CacheSettings.
 void addCacheOptions(CLI::App& command, PlanOptions& o) {
     reprise::CacheSettings& c = o.cache;
@@ -53,9 +59,9 @@ void addCacheOptions(CLI::App& command, PlanOptions& o) {
         ->capture_default_str();
     command.add_option("--samples", o.samples, "Of occlusion, a texel and frame (default: the pass's)");
     command.add_option("--cascades", c.cascades, "Of the shadow map, 1 to 4")->capture_default_str();
-    command.add_flag("!--no-history", c.history, "The cache keeps nothing from frame to frame");
-    command.add_flag("!--no-change-detection", c.detectsChanges, "History is kept where the values change");
-    command.add_flag("!--no-filter", c.filter, "The cache is not filtered");
+    addOff(command, "--no-history", c.history, "The cache keeps nothing from frame to frame");
+    addOff(command, "--no-change-detection", c.detectsChanges, "History is kept where the values change");
+    addOff(command, "--no-filter", c.filter, "The cache is not filtered");
     command.add_flag("--filter-history", c.filtersHistory, "What is filtered is the next frame's history");
     command
         .add_option("--packing", o.packing,
@@ -67,12 +73,12 @@ void addPlan(CLI::App& app, PlanOptions& o, std::function<void()>& run) {
     CLI::App* command =
         app.add_subcommand("plan", "Print what a scene needs: passes, images, reads, and what is left out");
     reprise::SceneNeeds& n = o.needs;
-    command->add_flag("!--no-anti-aliasing", n.antiAliasing, "No temporal anti-aliasing");
-    command->add_flag("!--static-camera", n.cameraMoves, "The camera never moves");
-    command->add_flag("!--static-objects", n.objectsMove, "No object moves");
+    addOff(*command, "--no-anti-aliasing", n.antiAliasing, "No temporal anti-aliasing");
+    addOff(*command, "--static-camera", n.cameraMoves, "The camera never moves");
+    addOff(*command, "--static-objects", n.objectsMove, "No object moves");
     command->add_flag("--skinned-meshes", n.skinnedMeshes, "Skinned meshes move");
     command->add_flag("--engine-motion", n.engineWritesMotion, "The engine writes motion vectors itself");
-    command->add_flag("!--no-hdr", n.hdr, "No colour exceeds display white");
+    addOff(*command, "--no-hdr", n.hdr, "No colour exceeds display white");
     command->add_flag("--fast-motion", n.fastMotion, "The motion blur fallback is wanted");
     command->add_flag("--reversed-depth", n.reversedDepth, "Device depth is reversed");
     command->add_flag("--orthographic", n.orthographic, "The camera is orthographic");

@@ -29,7 +29,7 @@ void printPass(const reprisec::Pack& pack, const reprise::PassInfo& pass) {
         printSwitch(info);
     for (const auto& preset : pack.presets(pass.name))
         fmt::print("    preset {}: {}\n", preset.name, preset.summary);
-    fmt::print("    {} variants are committed; others are compiled on demand\n",
+    fmt::print("    variants committed: {}; others are compiled on demand\n",
                pack.committedVariants(pass).size());
 }
 
