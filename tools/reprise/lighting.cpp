@@ -194,6 +194,7 @@ void addErrors(Row& row, const scenes::Scene& scene, const Truth& truth, const s
     double sum = 0.0, largest = 0.0;
     size_t count = 0;
     Flicker flicker;
+    const size_t first = std::min<size_t>(warmUpFrames, frames.size() - 1);
     for (size_t frame = 0; frame < frames.size(); ++frame) {
         row.notFinite += countNotFinite(frames[frame]);
         if (!truth[frame]) continue;
@@ -201,13 +202,13 @@ void addErrors(Row& row, const scenes::Scene& scene, const Truth& truth, const s
         const Values reference = picked(*truth[frame]->values, *truth[frame]->counts);
         const Difference d = difference(reference, test);
         row.rmsePerFrame.push_back(d.rmse);
-        const bool settled = frame >= warmUpFrames;
+        const bool settled = frame >= first;
         if (settled) {
             sum += d.rmse;
             largest = std::max(largest, d.max);
             ++count;
         }
-        if (!settled || !truth[frame - 1]) continue;
+        if (!settled || frame == 0 || !truth[frame - 1]) continue;
         const auto both = shared(*truth[frame - 1]->counts, *truth[frame]->counts);
         flicker.add(picked(*truth[frame - 1]->values, both), picked(*truth[frame]->values, both),
                     picked(frames[frame - 1], both), picked(frames[frame], both));
@@ -215,7 +216,7 @@ void addErrors(Row& row, const scenes::Scene& scene, const Truth& truth, const s
     if (row.notFinite > 0 || count == 0) return;
     row.error.rmse = sum / static_cast<double>(count);
     row.error.max = largest;
-    row.error.flicker = flicker.value();
+    if (frames.size() > first + 1) row.error.flicker = flicker.value();
     row.trailingFrames = trailingFrames(scene, truth, frames, false);
     row.rejectedFrames = trailingFrames(scene, truth, frames, true);
 }
