@@ -2,9 +2,12 @@
 // What the report does without measuring: rows from the table, floors from reflection, files, page, progress.
 #include "commands.hpp"
 #include "floors.hpp"
+#include "lighting_claims.hpp"
+#include "lighting_rows.hpp"
 #include "object_times.hpp"
 #include "page.hpp"
 #include "parallel.hpp"
+#include "rotations.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -269,7 +272,72 @@ TEST(Results, refusesADirectoryThatIsNoReportAndAFile) {
     EXPECT_NE("", messageOf([&] { checkWritable(folder.path); }));
     EXPECT_NE("", messageOf([&] { checkWritable(folder.path / "thesis.tex"); }));
     EXPECT_NE("", messageOf([&] { checkWritable("/proc/report"); }));
+    EXPECT_EQ("--out is empty; name a directory", messageOf([&] { checkWritable(""); }));
     EXPECT_TRUE(fs::exists(folder.path / "thesis.tex"));
+}
+
+// Rows of W2 with errors of 1 where three times the taps are, and of `three` and `settled` with rotations.
+Report rotationsReport(const Plan& plan, double three, double settled) {
+    Report report;
+    report.device = {{"type", "cpu"}};
+    for (const RotationCase& each : rotationCases(plan)) {
+        const bool isDefault = each.intensity == 1.0f;
+        const auto add = [&](const std::string& variant, double error) -> Row& {
+            Row row;
+            row.technique = "scalable_obscurance";
+            row.variant = variant;
+            row.scene = "hall_static";
+            row.stage = "compute";
+            row.error.rmse = error;
+            report.rows.push_back(row);
+            return report.rows.back();
+        };
+        add(oneFrameName(each.few, each), 2.0);
+        add(oneFrameName(each.many, each), 1.0);
+        add(rotationsName(each), isDefault ? settled : 9.0).rmsePerFrame = {2.0, 1.5,
+                                                                            isDefault ? three : 9.0};
+    }
+    return report;
+}
+
+// Both the first three frames and the settled ones count, to either side; what is measured beside the default
+// intensity does not.
+TEST(Claims, threeRotationsAreWithinFivePercent) {
+    ReportOptions options;
+    options.quick = true;
+    options.technique = "occlusion";
+    options.stage = "compute";
+    const Plan plan = makePlan(options, pack());
+    const auto holds = [&](double three, double settled) {
+        for (const Claim& claim : judgeLighting(rotationsReport(plan, three, settled), plan))
+            if (claim.id == "W2") return claim.holds;
+        return std::optional<bool>();
+    };
+    EXPECT_EQ(holds(1.0, 1.049), true);
+    EXPECT_EQ(holds(1.0, 0.951), true);
+    EXPECT_EQ(holds(1.051, 1.0), false);
+    EXPECT_EQ(holds(1.0, 0.949), false);
+    Plan moving = plan;
+    std::erase_if(moving.lightingScenes, [](const auto& scene) { return scene.name == "hall_static"; });
+    for (const Claim& claim : judgeLighting(rotationsReport(plan, 1.0, 1.0), moving))
+        EXPECT_TRUE(claim.id != "W2" || !claim.holds);
+}
+
+// Of occlusion, of the shadow and of both: each plan ends in the pass.
+TEST(ReportRows, combineTheLightOfEachThatIsCached) {
+    Shaders shaders(findAssets());
+    const scenes::Scene scene = findScene("hall_static");
+    for (const auto& [cached, value] :
+         {std::pair(Cached::occlusion, "occlusion"), {Cached::shadow, "shadow"}, {Cached::both, "both"}}) {
+        const auto rows = combinedRows(cached, false);
+        ASSERT_EQ(rows.size(), 1u);
+        const auto plan =
+            makeFramePlan(shaders, needsOf(rows[0], scene), settingsOf(rows[0], Stage::fragment), {64, 36});
+        const reprise::Variant& last = plan.passes.back().variant;
+        EXPECT_EQ(last.pass->name, "combine_lighting");
+        EXPECT_EQ(reprise::switchValue(last, "LIGHTING"), value);
+    }
+    EXPECT_TRUE(combinedRows(Cached::shadow, true).empty());
 }
 
 TEST(Page, isOneFileWithItsDataAndNothingFromOutside) {
@@ -312,15 +380,17 @@ TEST(Arguments, unknownNamesListTheKnownOnes) {
     EXPECT_NE(std::string::npos, messageOf([] { findScene("no_such_scene"); }).find("thin_geometry"));
     EXPECT_NE(std::string::npos, messageOf([] { findScene("no_such_scene"); }).find("hall_removed"));
     EXPECT_EQ(findScene("hall_removed").name, "hall_removed");
-    EXPECT_NE(std::string::npos,
-              messageOf([] {
-                  renderCommand(
-                      {.scene = "hall_static", .size = "4x4", .device = "", .show = "depth", .out = "unused.png"});
-              }).find("colour, occlusion, sun"));
+    EXPECT_NE(
+        std::string::npos,
+        messageOf([] {
+            renderCommand(
+                {.scene = "hall_static", .size = "4x4", .device = "", .show = "depth", .out = "unused.png"});
+        }).find("colour, occlusion, sun"));
     EXPECT_NE(std::string::npos, messageOf([] { parseStages("pixel"); }).find("fragment, compute, both"));
     ReportOptions options;
     options.technique = "magic";
     EXPECT_NE(std::string::npos, messageOf([&] { makePlan(options, pack()); }).find("temporal_aa"));
+    EXPECT_NE(std::string::npos, messageOf([&] { makePlan(options, pack()); }).find("shadow, lighting"));
     options = {};
     options.flips = {"magic"};
     EXPECT_NE(std::string::npos, messageOf([&] { makePlan(options, pack()); }).find("inside"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ray caster and the scene renderer see the same scene, and the pass ambient_occlusion converges to what
-// rays say where the screen knows all that occludes.
+// rays say where the screen knows all that occludes; what scalable_obscurance converges to is what it
+// records.
 #include "builtin.hpp"
 #include "converged.hpp"
 #include "truth.hpp"
@@ -154,6 +155,65 @@ TEST(ConvergedOcclusion, refusesWhatHasNoMeaning) {
     EXPECT_THROW(convergedOcclusion(gpu(), shaders(), frame, {.radius = -1.0, .skyDepth = 99.0}),
                  std::runtime_error);
     EXPECT_THROW(convergedOcclusion(gpu(), shaders(), frame, {}), std::runtime_error);
+    EXPECT_THROW(convergedObscurance(gpu(), shaders(), frame, {}), std::runtime_error);
+    EXPECT_THROW(convergedObscurance(gpu(), shaders(), frame, {.radius = -1.0, .skyDepth = 99.0}),
+                 std::runtime_error);
+}
+
+// Mean of 16 frames of the runtime's own plan of 33 taps: 16 rotations, no history, no filter.
+std::vector<double> meanOfRecordedRotations(RenderedFrame& frame, PixelGrid grid, reprise::Stage stage) {
+    reprise::SceneNeeds needs;
+    needs.antiAliasing = needs.cameraMoves = needs.objectsMove = false;
+    needs.ambientOcclusion = true;
+    const reprise::CacheSettings cache{
+        .occlusion = "scalable_obscurance", .samples = 33, .history = false, .filter = false};
+    auto recorder = reprise::FrameRecorder::create(
+        gpu().device(), shaders().pack().passes(), shaders().source(),
+        {.needs = needs, .settings = {.stage = stage, .cache = cache}, .extent = {grid.width, grid.height}});
+    if (!recorder) throw std::runtime_error(recorder.error().message);
+    reprise::FrameInput input;
+    input.camera = frame.camera;
+    input.depth = frame.depth.ref;
+    input.cache.radius = 0.8f;
+    input.cache.obscurance.rotations = 16;
+    std::vector<double> mean(size_t{grid.width} * grid.height);
+    for (input.frameIndex = 0; input.frameIndex < 16; ++input.frameIndex) {
+        reprise::ImageRef lighting;
+        gpu().run([&](VkCommandBuffer commands) {
+            auto recorded = recorder->record(commands, input);
+            if (!recorded) throw std::runtime_error(recorded.error().message);
+            lighting = recorded->lighting.value();
+        });
+        harness::Image image = borrowed(lighting);
+        const auto texels = gpu().downloadFloats(image);
+        for (size_t i = 0; i < mean.size(); ++i)
+            mean[i] += double{texels[4 * i]} / 16.0;
+    }
+    return mean;
+}
+
+// The estimator is what the runtime's frames average to, so that a distance to it is of sampling alone. 1e-6:
+// both have the same levels of red, and differ by roundings of the sum. A radius that is 1 % off, a bias or
+// an intensity of its own, or a rotation left out changes some of them.
+TEST(ConvergedObscurance, isTheMeanOfTheRuntimesRotations) {
+    constexpr PixelGrid grid{129, 73};
+    RenderedFrame frame = rendered(corner(), 0, grid);
+    for (const reprise::Stage stage : {reprise::Stage::fragment, reprise::Stage::compute}) {
+        const auto expected = meanOfRecordedRotations(frame, grid, stage);
+        ObscuranceEstimate estimate{.radius = 0.8, .skyDepth = 99.0, .stage = stage};
+        const auto farthest = [&] {
+            const Converged converged = convergedObscurance(gpu(), shaders(), frame, estimate);
+            EXPECT_EQ(expected.size(), converged.visibility.size());
+            double most = 0.0;
+            for (size_t i = 0; i < expected.size(); ++i)
+                most = std::max(most, std::abs(expected[i] - double{converged.visibility[i]}));
+            return most;
+        };
+        EXPECT_LT(farthest(), 1e-6);
+        estimate.radius *= 1.01;
+        EXPECT_GT(farthest(), 1e-3);
+    }
+    EXPECT_EQ(gpu().takeValidationMessages(), std::vector<std::string>{});
 }
 
 } // namespace

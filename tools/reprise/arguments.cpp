@@ -69,8 +69,8 @@ std::vector<std::string> chosenTechniques(const std::string& technique, const re
     if (technique.empty()) return names;
     if (technique == "lighting") return {"occlusion", "shadow"}; // and both in one cache
     if (std::find(names.begin(), names.end(), technique) == names.end())
-        throw std::runtime_error(
-            fmt::format("--technique {} is not known; there are {}", technique, fmt::join(names, ", ")));
+        throw std::runtime_error(fmt::format("--technique {} is not known; there are {}, lighting", technique,
+                                             fmt::join(names, ", ")));
     return {technique};
 }
 

@@ -10,17 +10,20 @@ namespace {
 
 using reprise::Variant;
 
-constexpr float skyDepth = 65504.0f;                      // SKY_DEPTH of the pack
-constexpr uint32_t subsets = 16;                          // the most that subsetOfFrame() takes
-constexpr VkFormat valueFormat = VK_FORMAT_R32G32_SFLOAT; // the pass's own 16 bits would round each frame
+constexpr float skyDepth = 65504.0f; // SKY_DEPTH of the pack
+constexpr uint32_t subsets = 16;     // the most that subsetOfFrame() takes
+// The pass's own 16 bits would round each frame. Of obscurance red is in 255 levels whatever the format: the
+// mean of 16 frames, each at its nearest level, is off by 0.0003.
+constexpr VkFormat valueFormat = VK_FORMAT_R32G32_SFLOAT;
 
-// The pass's defaults but for one switch.
-Variant variantOf(const Shaders& shaders, std::string_view pass, std::string_view name,
-                  std::string_view value) {
+// The pass's defaults but for these switches.
+Variant variantOf(const Shaders& shaders, std::string_view pass,
+                  std::initializer_list<std::pair<std::string_view, std::string_view>> switches) {
     auto variant = reprise::makeVariant(shaders.pack().passes(), pass);
     if (!variant) throw std::runtime_error(variant.error().message);
-    if (const auto set = reprise::setSwitch(*variant, name, value); !set)
-        throw std::runtime_error(set.error().message);
+    for (const auto& [name, value] : switches)
+        if (const auto set = reprise::setSwitch(*variant, name, value); !set)
+            throw std::runtime_error(set.error().message);
     return *variant;
 }
 
@@ -81,8 +84,25 @@ harness::Image coarseDepth(harness::Gpu& gpu, Shaders& shaders, RenderedFrame& f
         {"gLinearDepth", {static_cast<float>(coefficients.x), static_cast<float>(coefficients.y)}},
         {"gSkyDepth", {static_cast<float>(estimate.skyDepth)}}};
     const Variant variant =
-        variantOf(shaders, "depth_downsample", "RATIO", fmt::format("{}", estimate.ratio));
+        variantOf(shaders, "depth_downsample", {{"RATIO", fmt::format("{}", estimate.ratio)}});
     return runOnce(gpu, shaders, variant, estimate.stage, data, width, height, VK_FORMAT_R32_SFLOAT);
+}
+
+// Levels 0 to 4 beside each other: across the frame's width and half of it more.
+harness::Image depthHierarchy(harness::Gpu& gpu, Shaders& shaders, RenderedFrame& frame,
+                              const ObscuranceEstimate& estimate) {
+    const VkExtent2D extent = frame.depth.ref.extent;
+    const uint32_t width = (3 * extent.width + 1) / 2;
+    const glm::dvec2 coefficients = reprise::linearDepthCoefficients(frame.camera.viewToClip);
+    PassData data;
+    data.images = {{"gInDepth", &frame.depth}};
+    data.parameters = {
+        {"gInputSize", sizeOf(extent.width, extent.height)},
+        {"gOutputSize", sizeOf(width, extent.height)},
+        {"gLinearDepth", {static_cast<float>(coefficients.x), static_cast<float>(coefficients.y)}},
+        {"gSkyDepth", {static_cast<float>(estimate.skyDepth)}}};
+    return runOnce(gpu, shaders, variantOf(shaders, "depth_hierarchy", {}), estimate.stage, data, width,
+                   extent.height, VK_FORMAT_R32_SFLOAT);
 }
 
 } // namespace
@@ -134,7 +154,39 @@ Converged convergedOcclusion(harness::Gpu& gpu, Shaders& shaders, RenderedFrame&
         {"gRadius", {static_cast<float>(estimate.radius)}},
         {"gSubsetCount", {static_cast<float>(subsets)}},
         {"gBias", {static_cast<float>(estimate.bias.x), static_cast<float>(estimate.bias.y)}}};
-    const Variant variant = variantOf(shaders, "ambient_occlusion", "SAMPLES", "32");
+    const Variant variant = variantOf(shaders, "ambient_occlusion", {{"SAMPLES", "32"}});
+    converged.visibility = meanOverCycle(gpu, shaders, variant, estimate.stage, std::move(data),
+                                         converged.width, converged.height, subsets);
+    return converged;
+}
+
+Converged convergedObscurance(harness::Gpu& gpu, Shaders& shaders, RenderedFrame& frame,
+                              const ObscuranceEstimate& estimate) {
+    if (!(estimate.radius > 0.0 && estimate.skyDepth > 0.0))
+        throw std::runtime_error("Radius and sky depth of a converged estimate must be above 0");
+    harness::Image depth = fullDepth(gpu, frame, estimate.skyDepth);
+    harness::Image hierarchy = depthHierarchy(gpu, shaders, frame, estimate);
+    Converged converged;
+    converged.width = depth.ref.extent.width;
+    converged.height = depth.ref.extent.height;
+    converged.linearDepth = gpu.downloadFloats(depth);
+    PassData data;
+    data.images = {{"gInDepthHierarchy", &hierarchy}};
+    data.parameters = {{"gOutputSize", sizeOf(converged.width, converged.height)},
+                       {"gViewRay", floats(reprise::viewRay(frame.camera.viewToClip))},
+                       {"gRadius", {static_cast<float>(estimate.radius)}},
+                       {"gIntensity", {static_cast<float>(estimate.intensity)}},
+                       {"gBias", {static_cast<float>(estimate.bias.x), static_cast<float>(estimate.bias.y)}},
+                       {"gRotationCount", {static_cast<float>(subsets)}},
+                       {"gFarDepth", {skyDepth}},
+                       // Of the history, which this variant does not read.
+                       {"gMaxWeight", {0.0f}},
+                       {"gMissThreshold", {0.0f, 0.0f}},
+                       {"gMotionToUv", {1.0f, 1.0f}},
+                       {"gViewToPreviousDepth", {0.0f, 0.0f, 1.0f, 0.0f}},
+                       {"gHistoryValid", {0.0f}}};
+    const Variant variant =
+        variantOf(shaders, "scalable_obscurance", {{"SAMPLES", "33"}, {"TEMPORAL", "off"}});
     converged.visibility = meanOverCycle(gpu, shaders, variant, estimate.stage, std::move(data),
                                          converged.width, converged.height, subsets);
     return converged;

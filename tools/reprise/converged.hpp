@@ -34,6 +34,19 @@ struct OcclusionEstimate {
 Converged convergedOcclusion(harness::Gpu& gpu, Shaders& shaders, RenderedFrame& frame,
                              const OcclusionEstimate& estimate);
 
+struct ObscuranceEstimate {
+    double radius = 1.0;          // metres, above 0
+    double intensity = 1.0;       // gIntensity of the pass
+    glm::dvec2 bias{0.01, 0.001}; // gBias of the pass: metres, metres per metre of depth
+    double skyDepth = 0.0;        // metres, a little less than the far plane
+    reprise::Stage stage = reprise::Stage::fragment;
+};
+
+// scalable_obscurance at full resolution with 33 taps, mean of its 16 rotations: a spiral of 528 taps a
+// pixel. Of a frame rendered without jitter and with standard depth. Throws a sentence.
+Converged convergedObscurance(harness::Gpu& gpu, Shaders& shaders, RenderedFrame& frame,
+                              const ObscuranceEstimate& estimate);
+
 // gViewRay of a pass that runs at a coarse resolution, whose last texels reach beyond a frame of odd size.
 glm::dvec4 coarseViewRay(const reprise::CameraFrame& camera, VkExtent2D frame, uint32_t ratio);
 

@@ -129,6 +129,15 @@ std::vector<LightingSpec> lightingRows(Cached cached, bool quick) {
     return rows;
 }
 
+std::vector<LightingSpec> combinedRows(Cached cached, bool quick) {
+    if (quick && cached != Cached::both) return {};
+    LightingSpec spec =
+        cached == Cached::both ? packedRows(true).front() : changed(cached, "", [](LightingSpec&) {});
+    spec.label += " + combine_lighting";
+    spec.combines = true;
+    return {spec};
+}
+
 std::span<const std::string_view> chiefLighting() {
     static constexpr std::string_view names[] = {"reference", "framework", "framework + history off",
                                                  "packed, shadow_in_integer", "obscurance"};
@@ -159,6 +168,7 @@ reprise::SceneNeeds needsOf(const LightingSpec& spec, const scenes::Scene& scene
     needs.engineWritesMotion = true; // the renderer's: the report measures the framework alone
     needs.ambientOcclusion = spec.cached != Cached::shadow;
     needs.sunShadows = spec.cached != Cached::occlusion;
+    needs.combinesLighting = spec.combines;
     return needs;
 }
 

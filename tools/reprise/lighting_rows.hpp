@@ -19,6 +19,7 @@ struct LightingSpec {
     reprise::CacheSettings cache;
     reprise::CacheTuning tuning;
     std::vector<reprise::Condition> overrides;
+    bool combines = false; // ends in combine_lighting
 };
 
 // Rows for the terminal, and in pictures.
@@ -34,6 +35,9 @@ inline constexpr double sunDiscRadians = 0.02, shadowRadius = 0.05;
 // The framework as it is by default, the documents' references, and each step changed or left out; of both,
 // the packed forms. quick: those that claims need.
 std::vector<LightingSpec> lightingRows(Cached cached, bool quick);
+// Those whose plan puts the light together too. They are timed only: their visibility is that of the rows
+// above.
+std::vector<LightingSpec> combinedRows(Cached cached, bool quick);
 // The techniques whose errors a spec has, a row each.
 std::vector<Cached> measuredBy(const LightingSpec& spec);
 bool objectsMove(const scenes::Scene& scene);

@@ -47,6 +47,8 @@ const reprise::ImageRef& engineImage(const reprise::FrameInput& input, std::stri
     if (name == "gInColour") return input.colour;
     if (name == "gInVelocity" && input.motion) return *input.motion;
     if (name == "gInShadowMap" && input.shadowMap) return *input.shadowMap;
+    if (name == "gInAmbientLight" && input.ambientLight) return *input.ambientLight;
+    if (name == "gInSunLight" && input.sunLight) return *input.sunLight;
     throw std::runtime_error(fmt::format("The report has no image for {}", name));
 }
 
@@ -99,7 +101,7 @@ BoundPass bind(const PlannedPass& pass, PlanImages& images, size_t written) {
 }
 
 // Runs the pass twice, so that the images and the history hold what a frame leaves, and adds it and its
-// floor, which writes to images of its own.
+// floor, which writes to images of its own; without a section it only runs.
 void addPass(Experiment& e, Stopwatch& watch, const std::string& section, const PlannedPass& pass,
              const std::shared_ptr<PlanImages>& images, const std::vector<std::byte>& parameters) {
     const reprisec::Compiled& compiled = e.shaders.get(pass.variant, pass.stage);
@@ -113,6 +115,7 @@ void addPass(Experiment& e, Stopwatch& watch, const std::string& section, const 
         e.gpu.run([&](VkCommandBuffer commands) {
             runner.record(commands, bind(pass, *images, written).bindings, parameters);
         });
+    if (section.empty()) return;
     watch.addSection(section, [runner, bound, parameters, images](VkCommandBuffer commands) mutable {
         runner.record(commands, bound.bindings, parameters);
     });
@@ -141,10 +144,19 @@ std::vector<std::byte> parametersOf(const PlannedPass& pass, const reprise::Fram
     return orThrow(reprise::cacheParameters(name, pass.run, input.frames[1], frame));
 }
 
-// Sections for the frame as the recorder records it, and for each pass alone. label: unique.
-TimedPlan addPlan(Experiment& e, Stopwatch& watch, const std::string& label, const reprise::SceneNeeds& needs,
-                  const reprise::Settings& settings, const std::shared_ptr<TimedInput>& input,
-                  const reprise::CacheTuning& tuning, bool withPasses) {
+// Which passes of a plan are timed alone, beside the frame as the recorder records it.
+bool timesPasses(const LightingSpec& spec) {
+    return spec.combines || isChiefLighting(spec.label);
+}
+bool timesPass(const LightingSpec& spec, const PlannedPass& pass) {
+    return !spec.combines || pass.variant.pass->name == reprise::combinePass;
+}
+
+// Sections for the frame and for passes alone. label: unique.
+TimedPlan addPlan(Experiment& e, Stopwatch& watch, const std::string& label, const LightingSpec& spec,
+                  const reprise::SceneNeeds& needs, Stage stage, const std::shared_ptr<TimedInput>& input) {
+    const reprise::Settings settings = settingsOf(spec, stage);
+    const reprise::CacheTuning& tuning = spec.tuning;
     auto recorder = std::make_shared<reprise::FrameRecorder>(orThrow(reprise::FrameRecorder::create(
         e.gpu.device(), e.shaders.pack().passes(), e.shaders.source(),
         {.needs = needs, .settings = settings, .extent = {input->size.width, input->size.height}})));
@@ -157,14 +169,15 @@ TimedPlan addPlan(Experiment& e, Stopwatch& watch, const std::string& label, con
         auto recorded = recorder->record(commands, frame);
         if (!recorded) throw std::runtime_error(recorded.error().message);
     });
-    if (!withPasses) return timed;
+    if (!timesPasses(spec)) return timed;
     const auto images = makeImages(e.gpu, timed.plan, input->frames[1]);
     TimedInput own{nullptr, {}, {}, input->frames, input->size};
     for (reprise::FrameInput& frame : own.frames)
         frame.cache = tuning;
     for (const PlannedPass& pass : timed.plan.passes) {
         const std::string run = pass.run.empty() ? "" : ", " + std::string(pass.run);
-        timed.passes.push_back(fmt::format("{}: {}{}", label, pass.variant.pass->name, run));
+        timed.passes.push_back(
+            timesPass(spec, pass) ? fmt::format("{}: {}{}", label, pass.variant.pass->name, run) : "");
         addPass(e, watch, timed.passes.back(), pass, images, parametersOf(pass, timed.plan, needs, own));
     }
     return timed;
@@ -185,6 +198,9 @@ std::shared_ptr<TimedInput> renderInput(Experiment& e, const scenes::Scene& scen
         input->frames[i].motion = frame.motion.ref;
         input->frames[i].shadowMap = input->shadows.image->ref;
         input->frames[i].cascades = input->shadows.cascades;
+        // Two images that stand for light in parts: what they hold does not change the time.
+        input->frames[i].ambientLight = frame.colour.ref;
+        input->frames[i].sunLight = input->rendered[1 - i].colour.ref;
     }
     return input;
 }
@@ -201,7 +217,8 @@ void fill(Row& row, Experiment& e, const Stopwatch& watch, const TimedLighting& 
     row.memoryBytes = each.timed.plan.bytes;
     row.readsPerPixel = costOf(e.shaders, each.timed.plan, e.plan.timingSize).readsPerPixel;
     for (const std::string& pass : each.timed.passes)
-        row.passes.push_back({pass.substr(pass.rfind(": ") + 2), watch.timing(pass).median});
+        if (!pass.empty())
+            row.passes.push_back({pass.substr(pass.rfind(": ") + 2), watch.timing(pass).median});
 }
 
 Row passRow(Experiment& e, const Stopwatch& watch, const TimedLighting& each, size_t index) {
@@ -242,15 +259,19 @@ std::vector<TimedLighting> addLighting(Experiment& e, Stopwatch& watch) {
         if (std::ranges::find(kinds, kindOf(scene)) != kinds.end()) continue;
         kinds.push_back(kindOf(scene));
         const auto input = renderInput(e, scene);
+        const auto add = [&](const std::vector<LightingSpec>& specs, Stage stage) {
+            for (const LightingSpec& spec : specs) {
+                const std::string label = fmt::format("{}, {}, {}, {}", cachedName(spec.cached), spec.label,
+                                                      scene.name, stageText(stage));
+                all.push_back(
+                    {spec, stage, index, addPlan(e, watch, label, spec, needsOf(spec, scene), stage, input)});
+            }
+        };
         for (const Cached cached : cachedOf(e.plan))
-            for (const Stage stage : e.plan.stages)
-                for (const LightingSpec& spec : lightingRows(cached, e.plan.quick)) {
-                    const std::string label = fmt::format("{}, {}, {}, {}", cachedName(cached), spec.label,
-                                                          scene.name, stageText(stage));
-                    all.push_back({spec, stage, index,
-                                   addPlan(e, watch, label, needsOf(spec, scene), settingsOf(spec, stage),
-                                           input, spec.tuning, isChiefLighting(spec.label))});
-                }
+            for (const Stage stage : e.plan.stages) {
+                add(lightingRows(cached, e.plan.quick), stage);
+                add(combinedRows(cached, e.plan.quick), stage);
+            }
     }
     return all;
 }
@@ -259,7 +280,7 @@ void fillLighting(Experiment& e, const Stopwatch& watch, const std::vector<Timed
     for (const TimedLighting& each : timed) {
         const scenes::Scene& scene = e.plan.lightingScenes[each.scene];
         for (const Cached measured : measuredBy(each.spec)) {
-            if (e.plan.timingOnly)
+            if (e.plan.timingOnly || each.spec.combines)
                 e.report.rows.push_back(lightingRow(e, each.spec, measured, each.stage, scene.name));
             for (const scenes::Scene& other : e.plan.lightingScenes)
                 for (Row& row : e.report.rows)
@@ -269,7 +290,7 @@ void fillLighting(Experiment& e, const Stopwatch& watch, const std::vector<Timed
                         fill(row, e, watch, each);
         }
         for (size_t pass = 0; pass < each.timed.passes.size(); ++pass)
-            e.report.rows.push_back(passRow(e, watch, each, pass));
+            if (!each.timed.passes[pass].empty()) e.report.rows.push_back(passRow(e, watch, each, pass));
     }
 }
 

@@ -7,8 +7,9 @@
 namespace report {
 
 struct TimedPlan {
-    std::string section;             // of the whole frame
-    std::vector<std::string> passes; // section of each pass of the plan alone, if they were asked for
+    std::string section; // of the whole frame
+    // Section of each pass of the plan alone, if they were asked for; empty: of this one not.
+    std::vector<std::string> passes;
     reprise::FramePlan plan;
 };
 

@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "lighting_rows.hpp"
 #include "page.hpp"
+#include "rotations.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -115,6 +116,7 @@ void measure(Experiment& e) {
     if (e.plan.hasLighting())
         for (const scenes::Scene& scene : e.plan.lightingScenes)
             measureLighting(e, scene);
+    measureRotations(e);
     measureTimes(e);
 }
 

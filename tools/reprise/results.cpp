@@ -201,6 +201,7 @@ void writeFile(const fs::path& file, std::string_view bytes) {
 
 void checkWritable(const fs::path& out) {
     std::error_code error;
+    if (out.empty()) throw std::runtime_error("--out is empty; name a directory");
     if (fs::exists(out) && !fs::is_directory(out))
         throw std::runtime_error(fmt::format("--out {} is a file; name a directory", out.string()));
     if (fs::exists(out) && !replaceable(out))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment.hpp"
 #include "parallel.hpp"
+#include "rotations.hpp"
 
 #include "reprise/frame.hpp"
 
@@ -205,7 +206,7 @@ double plannedWork(const Plan& plan, const Shaders& shaders) {
                     (plan.truthSamples + static_cast<double>(rowsOf(plan, shaders, scene.cutFrame).size()));
         if (plan.has("camera_velocity") || plan.has("object_velocity")) work += plan.frames;
     }
-    return work + lightingWork(plan);
+    return work + lightingWork(plan) + rotationsWork(plan);
 }
 
 void measureTemporal(Experiment& e, scenes::Renderer& renderer) {
