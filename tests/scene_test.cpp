@@ -239,6 +239,24 @@ TEST(Loader, refusesDamageThatTheTestModelsDoNotHave) {
     expectOneSentence(refusal("no_such_file.glb"), "no_such_file.glb");
 }
 
+// The importer would make 2^32 - 1 triangles of them: 64 GiB, which a large machine grants.
+TEST(Loader, refusesStripsWithoutATriangleBeforeTheImporterCountsThem) {
+    for (const char* mode : {"5", "6"})
+        for (const int corners : {1, 2}) {
+            const TemporaryFile file(
+                "strip.gltf",
+                R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+                R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":)" +
+                    std::string(mode) + R"(}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":)" +
+                    std::to_string(corners) +
+                    R"(,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":24}],)"
+                    R"("buffers":[{"byteLength":24,"uri":"data:application/octet-stream;base64,)" +
+                    std::string(32, 'A') + R"("}]})");
+            EXPECT_NE(refusal(file.path).find("fewer corners than a triangle"), std::string::npos)
+                << mode << ", " << corners << ": " << refusal(file.path);
+        }
+}
+
 TEST(Loader, loadsSoundModels) {
     const std::tuple<const char*, size_t, size_t> files[] = {
         {"glTF2/BoxTextured-glTF/BoxTextured.gltf", 12, 1},

@@ -54,8 +54,11 @@ void checkPrimitive(const Document& document, const Json& primitive, const std::
         checkIndices(document, indices, positions.count, where);
         corners = indices.count;
     }
-    if (const size_t mode = gltf::optionalIndex(primitive, "mode", where, 4); mode > 6)
-        throw Refusal{where + " has primitives of an unknown kind; export triangles"};
+    const size_t mode = gltf::optionalIndex(primitive, "mode", where, 4);
+    if (mode > 6) throw Refusal{where + " has primitives of an unknown kind; export triangles"};
+    // Strips and fans: the importer takes two from the number of corners, whatever it is.
+    if (mode >= 5 && corners < 3)
+        throw Refusal{where + " has a strip of fewer corners than a triangle; export it again"};
     for (const Json& target : gltf::array(primitive, "targets"))
         for (const auto& [name, index] : target.items())
             if (document.accessor(index, where + " morph target " + name).count != positions.count)
