@@ -90,20 +90,21 @@ function scatterChart(points, level, xLabel, yLabel) {
   return `<svg viewBox="0 0 ${width} ${height}" role="img">${svg}</svg>`;
 }
 
-// lines: {label, values, colour}; cut: frame of a camera cut or another event, or -1; event: its name.
+// lines: {label, values, colour, first: frame of the first value}; cut: frame of a camera cut or another event, or -1; event: its name.
 function lineChart(lines, cut, yLabel, event = "camera cut") {
   const drawn = lines.filter(l => l.values.length > 0);
   if (drawn.length === 0) return "<p class='note'>No chosen row has this error per frame.</p>";
-  const width = 720, height = 430, frames = Math.max(...drawn.map(l => l.values.length));
+  const width = 720, height = 430, start = Math.min(...drawn.map(l => l.first));
+  const frames = Math.max(...drawn.map(l => l.first + l.values.length));
   const range = padded(drawn.flatMap(l => l.values), true);
-  const f = frameOf(width, height, [0, Math.max(frames - 1, 1)], range, "frame", yLabel);
+  const f = frameOf(width, height, [start, Math.max(frames - 1, start + 1)], range, "frame", yLabel);
   let svg = f.svg;
-  if (cut >= 0 && cut < frames)
+  if (cut >= start && cut < frames)
     svg += `<line class="none-line" x1="${f.sx(cut)}" x2="${f.sx(cut)}" y1="${f.top}" y2="${f.bottom}"/>
       <text x="${f.sx(cut) + 4}" y="${f.top + 10}">${escapeHtml(event)}</text>`;
   for (const l of drawn)
     svg += `<polyline fill="none" stroke="${l.colour}" stroke-width="1.8"
-      points="${l.values.map((v, i) => `${f.sx(i)},${f.sy(v)}`).join(" ")}"><title>${escapeHtml(l.label)}</title>
+      points="${l.values.map((v, i) => `${f.sx(l.first + i)},${f.sy(v)}`).join(" ")}"><title>${escapeHtml(l.label)}</title>
       </polyline>`;
   const legend = drawn.map(l =>
     `<span><i class="swatch" style="background:${l.colour}"></i>${escapeHtml(l.label)}</span>`).join("");

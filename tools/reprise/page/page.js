@@ -72,7 +72,9 @@ function drawScatter() {
 function drawCurves() {
   const measure = byId("measure").value === "flip" ? "flip" : "rmse", rows = pickedRows();
   const scene = (report.settings.scenes || []).find(s => s.name === byId("scene").value);
-  const lines = rows.map(r => ({label: r.variant, values: r.per_frame[measure], colour: colourOf(r, rows)}));
+  // Where each frame's truth takes rays of its own, only the last ones are compared.
+  const lines = rows.map(r => ({label: r.variant, values: r.per_frame[measure], colour: colourOf(r, rows),
+    first: Math.max(0, (r.frames || 0) - r.per_frame[measure].length)}));
   byId("curves").innerHTML = lineChart(lines, scene ? Math.max(scene.cut_frame, scene.event_frame) : -1, measures[measure],
     scene && scene.event_frame >= 0 ? "occluder gone" : "camera cut");
 }
