@@ -67,11 +67,19 @@ struct DrawBuffers {
     }
 };
 
-void addSkin(DrawBuffers& buffers) {
+// placement(), or what the case has in its place.
+glm::mat4 placementOf(const ObjectCase& object, int joint, bool previous) {
+    const auto broken = previous ? object.brokenPrevPlacement : object.brokenPlacement;
+    if (!broken) return placement(joint, previous);
+    const glm::vec4 column(*broken);
+    return {column, column, column, column};
+}
+
+void addSkin(DrawBuffers& buffers, const ObjectCase& object) {
     std::vector<glm::mat4> palette, prevPalette;
     for (int joint = 0; joint < 4; ++joint) {
-        palette.push_back(placement(joint, false));
-        prevPalette.push_back(placement(joint, true));
+        palette.push_back(placementOf(object, joint, false));
+        prevPalette.push_back(placementOf(object, joint, true));
     }
     buffers.draw.joints =
         buffers.add(std::span<const uint8_t>(&joints[0][0], 12), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
@@ -95,10 +103,10 @@ DrawBuffers makeDraw(const ObjectCase& object) {
     buffers.draw.indices = buffers.add(std::span<const uint32_t>(indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     buffers.draw.indexCount = 3;
     if (object.skinned)
-        addSkin(buffers);
+        addSkin(buffers, object);
     else {
-        buffers.draw.objectToWorld = placement(0, false);
-        buffers.draw.prevObjectToWorld = placement(0, true);
+        buffers.draw.objectToWorld = placementOf(object, 0, false);
+        buffers.draw.prevObjectToWorld = placementOf(object, 0, true);
     }
     return buffers;
 }
