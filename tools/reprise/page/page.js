@@ -130,7 +130,7 @@ function drawSummary() {
   const rows = report.rows.filter(r => r.technique === byId("technique").value && isNamed(r) &&
     (r.stage === null || r.stage === stage));
   const names = unique(rows.map(r => r.variant)), scenes = unique(rows.map(r => r.scene));
-  byId("summary-section").hidden = names.length === 0;
+  byId("summary-section").hidden = !rows.some(r => r.error.flip !== null || r.error.rmse !== null);
   const find = (name, scene) => rows.find(r => r.variant === name && r.scene === scene);
   const chief = rows.some(r => r.error.flip !== null) ? "flip" : "rmse";
   const least = (scene, key) => Math.min(...rows.filter(r => r.scene === scene && r.error[key] !== null)
