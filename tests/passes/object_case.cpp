@@ -69,9 +69,8 @@ struct DrawBuffers {
 
 // placement(), or what the case has in its place.
 glm::mat4 placementOf(const ObjectCase& object, int joint, bool previous) {
-    const auto broken = previous ? object.brokenPrevPlacement : object.brokenPlacement;
-    if (!broken) return placement(joint, previous);
-    const glm::vec4 column(*broken);
+    if (!previous || !object.brokenPrevPlacement) return placement(joint, previous);
+    const glm::vec4 column(*object.brokenPrevPlacement);
     return {column, column, column, column};
 }
 

@@ -18,8 +18,8 @@ struct ObjectCase {
     glm::dvec2 jitterPx{0.28125, -0.34375};
     int width = 64, height = 48;
     int occludedColumns = 0; // of the left, where the scene's depth is nearer than the object
-    // Every element of where it is or was, in place of the matrix or palette: NaN, infinity.
-    std::optional<float> brokenPlacement{}, brokenPrevPlacement{};
+    // Every element of where it was, in place of the matrix or palette: NaN, infinity.
+    std::optional<float> brokenPrevPlacement{};
 };
 
 // What a draw of the object takes, for devices that no recorder serves.
