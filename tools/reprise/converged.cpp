@@ -105,6 +105,21 @@ harness::Image depthHierarchy(harness::Gpu& gpu, Shaders& shaders, RenderedFrame
                    extent.height, VK_FORMAT_R32_SFLOAT);
 }
 
+void checkAbove0(double radius, double sky) {
+    if (!(radius > 0.0 && sky > 0.0))
+        throw std::runtime_error("Radius and sky depth of a converged estimate must be above 0");
+}
+
+// The estimate's extent and depth; its visibility is still to come.
+Converged beginFrom(harness::Gpu& gpu, harness::Image& depth) {
+    const VkExtent2D extent = depth.ref.extent;
+    Converged converged;
+    converged.width = extent.width;
+    converged.height = extent.height;
+    converged.linearDepth = gpu.downloadFloats(depth);
+    return converged;
+}
+
 } // namespace
 
 glm::dvec4 coarseViewRay(const reprise::CameraFrame& camera, VkExtent2D frame, uint32_t ratio) {
@@ -136,14 +151,10 @@ Converged convergedOcclusion(harness::Gpu& gpu, Shaders& shaders, RenderedFrame&
     if (estimate.ratio != 1 && estimate.ratio != 2 && estimate.ratio != 4)
         throw std::runtime_error(fmt::format(
             "A converged estimate at a ratio of {} does not exist; it is 1, 2 or 4", estimate.ratio));
-    if (!(estimate.radius > 0.0 && estimate.skyDepth > 0.0))
-        throw std::runtime_error("Radius and sky depth of a converged estimate must be above 0");
+    checkAbove0(estimate.radius, estimate.skyDepth);
     harness::Image depth = estimate.ratio == 1 ? fullDepth(gpu, frame, estimate.skyDepth)
                                                : coarseDepth(gpu, shaders, frame, estimate);
-    Converged converged;
-    converged.width = depth.ref.extent.width;
-    converged.height = depth.ref.extent.height;
-    converged.linearDepth = gpu.downloadFloats(depth);
+    Converged converged = beginFrom(gpu, depth);
     PassData data;
     data.images = {{"gInCoarseDepth", &depth}};
     data.parameters = {
@@ -162,14 +173,10 @@ Converged convergedOcclusion(harness::Gpu& gpu, Shaders& shaders, RenderedFrame&
 
 Converged convergedObscurance(harness::Gpu& gpu, Shaders& shaders, RenderedFrame& frame,
                               const ObscuranceEstimate& estimate) {
-    if (!(estimate.radius > 0.0 && estimate.skyDepth > 0.0))
-        throw std::runtime_error("Radius and sky depth of a converged estimate must be above 0");
+    checkAbove0(estimate.radius, estimate.skyDepth);
     harness::Image depth = fullDepth(gpu, frame, estimate.skyDepth);
     harness::Image hierarchy = depthHierarchy(gpu, shaders, frame, estimate);
-    Converged converged;
-    converged.width = depth.ref.extent.width;
-    converged.height = depth.ref.extent.height;
-    converged.linearDepth = gpu.downloadFloats(depth);
+    Converged converged = beginFrom(gpu, depth);
     PassData data;
     data.images = {{"gInDepthHierarchy", &hierarchy}};
     data.parameters = {{"gOutputSize", sizeOf(converged.width, converged.height)},

@@ -151,8 +151,7 @@ Claim threeRotations(const Judge& judge) {
     Claim claim{"W2",
                 "Wronski",
                 "On a still image three rotations have the RMSE, against the converged estimator, of one "
-                "frame of three "
-                "times the taps, within 5 %",
+                "frame of three times the taps, within 5 %",
                 "tripling the effective sample count",
                 nullptr,
                 {}};
