@@ -2,7 +2,8 @@
 // Scalable ambient obscurance, accumulated over frames before it is blurred: Wronski, "Algorithm overview"
 // (W1 to W3). Taps on a spiral that each pixel turns its own way, of which each frame takes every third; the
 // history, fetched along the motion vector, weighs 0.9 where its depth is the pixel's and falls smoothly to
-// 0. Its depth comes in the same texel, so that rejection costs no fetch.
+// 0. Its depth comes in the same texel, so that rejection costs no fetch. In motion it weighs less than the
+// document's 0.9: neighbours bring other taps, and what is stale does not stay.
 //
 // gInDepthHierarchy  R32F, metres, of depth_hierarchy
 // gInVelocity        MOTION: motion; times gMotionToUv it is currUv - prevUv
@@ -12,9 +13,9 @@
 //                    alone a history of weight 0.9 would stop five levels short of its target
 //
 // The document leaves the estimator to McGuire et al., "Scalable Ambient Obscurance": with v from the point
-// to a tap's, in radii, a tap counts (1 - v.v)^3 max(v.n - bias, 0) / (v.v + 0.01). Theirs takes a tap's
-// depth for that of the place asked for; here it lies where its texel lies, so that slopes do not occlude
-// themselves.
+// to a tap's, in radii, a tap counts (1 - v.v)^3 max(v.n - bias, 0) / (v.v + 0.01), here at most 0.6. Theirs
+// takes a tap's depth for that of the place asked for; here it lies where its texel lies, so that slopes do
+// not occlude themselves.
 // Longer than 250 lines: eight sample counts, and the document blends in this very pass.
 
 #include "reprise/coordinates.hlsli"
@@ -39,6 +40,8 @@ BINDING(0) cbuffer ScalableObscuranceParameters {
     float2 gMotionToUv;           // (1, 1) for currUv - prevUv in UV
     float4 gViewToPreviousDepth;  // dot with (view position, 1) is linear depth in the previous view
     float gHistoryValid;          // 0 on the first frame, after a cut, a gap or a resize
+    float gMovingWeight;          // MOTION: most weight of history in motion, up to gMaxWeight
+    float gMovingPx;              // MOTION: pixels a frame, above 0, from which on gMovingWeight holds
 };
 
 TEXTURE_POINT(gInDepthHierarchy, 1);
@@ -75,6 +78,10 @@ static const float GOLDEN_TURN = 0.38196601;
 static const float NORMALISATION = 5.0;
 // Radii squared: keeps a tap at the point itself finite.
 static const float NEAR_LIMIT = 0.01;
+// Of one tap, whose formula reaches 5: few taps with one of those are darker than black, what is beyond black
+// is lost, and frames no longer average to what all their taps together show. Empirical, by the error against
+// rays: docs/scalable_obscurance.md, "The bound of a tap".
+static const float MOST_OF_A_TAP = 0.6;
 
 // Texel of the hierarchy, and the place in the frame whose depth it holds.
 struct Tap {
@@ -169,7 +176,7 @@ float obscuranceOf(float3 toTap, float3 normal, float bias) {
     float square = dot(toTap, toTap);
     float near = 1.0 - square;
     float term = near * near * near * max(dot(toTap, normal) - bias, 0.0) / (square + NEAR_LIMIT);
-    return square < 1.0 ? term : 0.0;
+    return square < 1.0 ? min(term, MOST_OF_A_TAP) : 0.0;
 }
 
 // The radius in pixels of the image, at most its lesser extent.
@@ -210,6 +217,16 @@ float visibilityAt(float3 positionVS, float3 normal, float2 positionPx) {
     return bounded(1.0 - NORMALISATION * gIntensity * sum.x / max(sum.y, 1.0), 0.0, 1.0);
 }
 
+#if TEMPORAL && MOTION
+
+// gMaxWeight for what stands still, gMovingWeight from gMovingPx on, smooth between.
+float maxWeightOf(float2 motion) {
+    float least = min(gMovingWeight, gMaxWeight);
+    return least + velocityWeight(length(motion * gOutputSize.xy), gMaxWeight - least, 0.0, gMovingPx);
+}
+
+#endif
+
 #if TEMPORAL
 
 // The history where the surface was, how far it is the same surface, and the blend.
@@ -217,9 +234,11 @@ OcclusionDepth accumulated(OcclusionDepth current, float2 uv, float3 positionVS)
 #if MOTION
     float2 motion = SAMPLE(gInVelocity, uv).rg * gMotionToUv;
     float lastDepth = dot(gViewToPreviousDepth, float4(positionVS, 1.0));
+    float maxWeight = maxWeightOf(motion);
 #else
     float2 motion = float2(0.0, 0.0);
     float lastDepth = positionVS.z;
+    float maxWeight = gMaxWeight;
 #endif
     CachePlace place = cachePlaceFromMotion(uv, motion, min(lastDepth, gFarDepth));
     OcclusionDepth history = unpackFineOcclusionDepth(SAMPLE(gHistoryObscurance, place.prevUv), gFarDepth);
@@ -230,7 +249,7 @@ OcclusionDepth accumulated(OcclusionDepth current, float2 uv, float3 positionVS)
     float confidence = room * room * (3.0 - 2.0 * room);
 
     float held = history.convergence * confidence;
-    float weight = convergenceWeight(held, gMaxWeight);
+    float weight = convergenceWeight(held, maxWeight);
     current.occlusion = exponentialHistory(history.occlusion, current.occlusion, weight);
     current.convergence = nextConvergence(history.convergence, confidence);
     return current;

@@ -176,6 +176,8 @@ ScalableObscuranceParameters obscuranceParameters(const FrameInput& input, const
     store(p.gViewToPreviousDepth,
           glm::dvec4(toPrevious[0].z, toPrevious[1].z, toPrevious[2].z, toPrevious[3].z));
     p.gHistoryValid = frame.historyValid ? 1.0f : 0.0f;
+    p.gMovingWeight = tuning.obscurance.movingWeight;
+    p.gMovingPx = tuning.obscurance.movingPx;
     return p;
 }
 

@@ -73,7 +73,7 @@ struct ScalableObscurance {
     dvec4 viewRay{0.0};
     double radius = 1.5, intensity = 1.0;
     dvec2 bias{0.0};
-    double farM = 100.0, maxWeight = 0.9;
+    double farM = 100.0, maxWeight = 0.9, movingWeight = 0.6, movingPx = 0.25;
     dvec2 missThreshold{0.05, 0.02};
     dvec2 motionToUv{1.0, 1.0};
     dvec4 toPreviousDepth{0.0, 0.0, 1.0, 0.0};
@@ -120,12 +120,14 @@ inline dvec3 tapPoint(const ScalableObscurance& pass, dvec2 px, double distanceP
     return viewPointOf(surface, dvec2(shown) + 0.5, surfaceDepth(surface, shown.x, shown.y));
 }
 
-inline constexpr double nearLimit = 0.01;
+inline constexpr double nearLimit = 0.01, mostOfATap = 0.6;
 
 inline double tapObscurance(dvec3 inRadii, dvec3 normal, double bias) {
     const double square = glm::dot(inRadii, inRadii), near = 1.0 - square;
     if (!(square < 1.0)) return 0.0;
-    return near * near * near * std::max(glm::dot(inRadii, normal) - bias, 0.0) / (square + nearLimit);
+    const double term =
+        near * near * near * std::max(glm::dot(inRadii, normal) - bias, 0.0) / (square + nearLimit);
+    return std::min(term, mostOfATap);
 }
 
 // What roundings of the normal and of the two points may change of a tap's share; both in radii. A share is
@@ -204,6 +206,13 @@ inline Visibility obscuranceAt(const ScalableObscurance& pass, int x, int y) {
 
 // --- The history
 
+// Most weight of history at a speed in pixels a frame. A speed that is no number has no history anyway.
+inline double mostWeight(const ScalableObscurance& pass, double speedPx) {
+    const double least = std::min(pass.movingWeight, pass.maxWeight);
+    const double share = speedPx < pass.movingPx ? 1.0 - speedPx / pass.movingPx : 0.0;
+    return least + (pass.maxWeight - least) * share * share * (3.0 - 2.0 * share);
+}
+
 // `away` in texels of the history, `deeper` in metres: what roundings may do.
 inline ObscuranceTexel accumulatedAt(const ScalableObscurance& pass, int x, int y, double visibility,
                                      dvec2 away = dvec2(0.0), double deeper = 0.0) {
@@ -214,9 +223,11 @@ inline ObscuranceTexel accumulatedAt(const ScalableObscurance& pass, int x, int 
     const dvec3 point = viewPointOf(surface, dvec2(x + 0.5, y + 0.5), depth);
     const dvec2 extent = pass.depth->extent();
     dvec2 uv = dvec2(x + 0.5, y + 0.5) / extent;
-    double expected = depth;
+    double expected = depth, maxWeight = pass.maxWeight;
     if (pass.motion) {
-        uv -= dvec2(pass.velocity->at(x, y)) * pass.motionToUv;
+        const dvec2 motion = dvec2(pass.velocity->at(x, y)) * pass.motionToUv;
+        uv -= motion;
+        maxWeight = mostWeight(pass, glm::length(motion * extent));
         expected = glm::dot(pass.toPreviousDepth, dvec4(point, 1.0));
     }
     uv += away / extent;
@@ -227,7 +238,7 @@ inline ObscuranceTexel accumulatedAt(const ScalableObscurance& pass, int x, int 
     const double apart = std::abs(expected + deeper - history.depth) / threshold;
     const double room = std::clamp(2.0 * (1.0 - apart), 0.0, 1.0);
     const double confidence = room * room * (3.0 - 2.0 * room), held = history.frames * confidence;
-    const double weight = std::min(held / (held + 1.0), pass.maxWeight);
+    const double weight = std::min(held / (held + 1.0), maxWeight);
     result.value = visibility + (history.value - visibility) * weight;
     result.frames = held + 1.0;
     return result;

@@ -106,6 +106,8 @@ void setParameters(ScalableObscuranceCase& frame) {
     p.gFarDepth = static_cast<float>(pass.farM);
     p.gMaxWeight = static_cast<float>(pass.maxWeight);
     p.gHistoryValid = static_cast<float>(pass.historyValid);
+    p.gMovingWeight = static_cast<float>(pass.movingWeight);
+    p.gMovingPx = static_cast<float>(pass.movingPx);
     frame.hierarchy = hierarchyOf(frame.depth);
 }
 
@@ -125,6 +127,8 @@ ScalableObscuranceCase scalableObscuranceCase(const Variant& variant, Surfaces s
     pass.bias = {double{0.01f}, double{0.002f}};
     pass.intensity = 0.5;
     pass.maxWeight = double{0.9f};
+    pass.movingWeight = 0.375;
+    pass.movingPx = 2.0; // of motions up to three pixels
     pass.missThreshold = {0.0625, 0.03125};
     pass.motionToUv = {0.5, -0.5};
     pass.toPreviousDepth = {0.03125, -0.015625, 1.0, 0.0625};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "converged.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -13,8 +14,12 @@ using reprise::Variant;
 constexpr float skyDepth = 65504.0f; // SKY_DEPTH of the pack
 constexpr uint32_t subsets = 16;     // the most that subsetOfFrame() takes
 // The pass's own 16 bits would round each frame. Of obscurance red is in 255 levels whatever the format: the
-// mean of 16 frames, each at its nearest level, is off by 0.0003.
+// mean of 16 frames, each at its nearest level, is off by 0.0003, and by 0.0009 once three times as dark.
 constexpr VkFormat valueFormat = VK_FORMAT_R32G32_SFLOAT;
+
+// No frame is black at this intensity, whose taps darken by 5 * 0.6 of it at most: so that the mean is that
+// of all taps, and black comes after it.
+constexpr double clearIntensity = 1.0 / 3.0;
 
 // The pass's defaults but for these switches.
 Variant variantOf(const Shaders& shaders, std::string_view pass,
@@ -182,7 +187,7 @@ Converged convergedObscurance(harness::Gpu& gpu, Shaders& shaders, RenderedFrame
     data.parameters = {{"gOutputSize", sizeOf(converged.width, converged.height)},
                        {"gViewRay", floats(reprise::viewRay(frame.camera.viewToClip))},
                        {"gRadius", {static_cast<float>(estimate.radius)}},
-                       {"gIntensity", {static_cast<float>(estimate.intensity)}},
+                       {"gIntensity", {static_cast<float>(clearIntensity)}},
                        {"gBias", {static_cast<float>(estimate.bias.x), static_cast<float>(estimate.bias.y)}},
                        {"gRotationCount", {static_cast<float>(subsets)}},
                        {"gFarDepth", {skyDepth}},
@@ -191,11 +196,17 @@ Converged convergedObscurance(harness::Gpu& gpu, Shaders& shaders, RenderedFrame
                        {"gMissThreshold", {0.0f, 0.0f}},
                        {"gMotionToUv", {1.0f, 1.0f}},
                        {"gViewToPreviousDepth", {0.0f, 0.0f, 1.0f, 0.0f}},
-                       {"gHistoryValid", {0.0f}}};
+                       {"gHistoryValid", {0.0f}},
+                       {"gMovingWeight", {0.0f}},
+                       {"gMovingPx", {1.0f}}};
     const Variant variant =
         variantOf(shaders, "scalable_obscurance", {{"SAMPLES", "33"}, {"TEMPORAL", "off"}});
     converged.visibility = meanOverCycle(gpu, shaders, variant, estimate.stage, std::move(data),
                                          converged.width, converged.height, subsets);
+    for (float& value : converged.visibility) {
+        const double obscurance = (1.0 - double{value}) / clearIntensity;
+        value = static_cast<float>(std::clamp(1.0 - estimate.intensity * obscurance, 0.0, 1.0));
+    }
     return converged;
 }
 

@@ -43,7 +43,7 @@ struct ObscuranceEstimate {
 };
 
 // scalable_obscurance at full resolution with 33 taps, mean of its 16 rotations: a spiral of 528 taps a
-// pixel. Of a frame rendered without jitter and with standard depth. Throws a sentence.
+// pixel, which stops at black as a whole, not frame by frame. Of a frame rendered without jitter and with standard depth. Throws a sentence.
 Converged convergedObscurance(harness::Gpu& gpu, Shaders& shaders, RenderedFrame& frame,
                               const ObscuranceEstimate& estimate);
 

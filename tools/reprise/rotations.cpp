@@ -129,8 +129,8 @@ const scenes::Scene* stillScene(const Plan& plan) {
 }
 
 std::vector<RotationCase> rotationCases(const Plan& plan) {
-    if (plan.quick) return {{7, 21, 1.0f}, {7, 21, 0.2f}};
-    return {{5, 15, 1.0f}, {7, 21, 1.0f}, {11, 33, 1.0f}, {7, 21, 0.2f}};
+    if (plan.quick) return {{7, 21, 1.0f}, {7, 21, 2.0f}};
+    return {{5, 15, 1.0f}, {7, 21, 1.0f}, {11, 33, 1.0f}, {7, 21, 2.0f}};
 }
 
 std::string oneFrameName(uint32_t taps, const RotationCase& of) {

@@ -14,9 +14,9 @@ namespace report {
 // The first scene in which neither camera nor objects move and nothing vanishes; null if there is none.
 const scenes::Scene* stillScene(const Plan& plan);
 
-// As many taps, and three times as many in one frame: numbers that scalable_obscurance has. At an intensity
-// of 1 a frame of few taps is often black and stops there, so that the mean of three is not that of all their
-// taps; at 0.2 hardly any is.
+// As many taps, and three times as many in one frame: numbers that scalable_obscurance has. A frame that is
+// black stops there, so that the mean of three is not that of all their taps: seldom at an intensity of 1, at
+// 2 often enough to be seen in the error.
 struct RotationCase {
     uint32_t few, many;
     float intensity;

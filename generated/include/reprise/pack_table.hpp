@@ -280,7 +280,9 @@ struct alignas(16) ScalableObscuranceParameters {
     float gMotionToUv[2];   // float2
     float gViewToPreviousDepth[4];   // float4
     float gHistoryValid;
-    float pad0[3];
+    float gMovingWeight;
+    float gMovingPx;
+    float pad0[1];
 };
 static_assert(sizeof(ScalableObscuranceParameters) == 112);
 static_assert(offsetof(ScalableObscuranceParameters, gOutputSize) == 0);
@@ -296,6 +298,8 @@ static_assert(offsetof(ScalableObscuranceParameters, gMissThreshold) == 64);
 static_assert(offsetof(ScalableObscuranceParameters, gMotionToUv) == 72);
 static_assert(offsetof(ScalableObscuranceParameters, gViewToPreviousDepth) == 80);
 static_assert(offsetof(ScalableObscuranceParameters, gHistoryValid) == 96);
+static_assert(offsetof(ScalableObscuranceParameters, gMovingWeight) == 100);
+static_assert(offsetof(ScalableObscuranceParameters, gMovingPx) == 104);
 namespace bindings::scalable_obscurance {
 inline constexpr uint32_t ScalableObscuranceParameters = 0;
 inline constexpr uint32_t gInDepthHierarchy = 1;

@@ -39,6 +39,8 @@ struct ObscuranceTuning {
     glm::vec2 bias{0.01f, 0.001f};      // metres and metres a metre of depth
     uint32_t rotations = 3;             // frames after which the spiral repeats, 1 to 16
     float maxWeight = 0.9f;             // most weight of history, up to 15/16
+    float movingWeight = 0.6f;          // the same in motion, up to maxWeight
+    float movingPx = 0.25f;             // pixels a frame, above 0: from there on movingWeight
     glm::vec2 depthRange{0.05f, 0.02f}; // of the filter, metres and metres a metre of depth
 };
 
