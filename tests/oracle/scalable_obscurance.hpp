@@ -177,7 +177,7 @@ inline Visibility obscuranceWith(const ScalableObscurance& pass, int x, int y, d
             most = std::max(most,
                             std::abs(share(moved, away) - own) + tapError(found, normal.error, pointError));
         }
-        sumError += most;
+        sumError += border ? std::max(most, own) : most; // a tap beyond the border takes its share with it
         countError += border;
     }
     const double darkness = 5.0 * pass.intensity, least = std::max(count - countError, 1.0);
