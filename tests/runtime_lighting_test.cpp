@@ -234,6 +234,48 @@ TEST_P(LightingTest, scalableObscuranceIsRecorded) {
         }
 }
 
+// Twelve frames without darkness, then one with it, of which the history leaves a share: its weight, by the
+// tuning and by how fast the image moves. Motions of less than half a pixel find the same texel.
+TEST_P(LightingTest, historyOfObscuranceWeighsLessInMotion) {
+    const Extent extent{65, 64};
+    SceneNeeds needs = with(still, &SceneNeeds::ambientOcclusion);
+    needs.linearDepth = needs.cameraMoves = needs.engineWritesMotion = true;
+    TestFrame frame(extent);
+    std::vector<float> depths;
+    for (uint32_t i = 0; i < extent.width * extent.height; ++i)
+        depths.push_back(static_cast<float>(
+            1.2 / (1.0 + 0.9 * std::abs(2.0 * (i % extent.width + 0.5) / extent.width - 1.13))));
+    testGpu().uploadFloats(frame.depth, depths);
+    const auto darkness = [&](bool history, float speedPx, const ObscuranceTuning& tuning) {
+        auto recorder = makeRecorder(
+            info(needs, extent,
+                 {.occlusion = "scalable_obscurance", .samples = 7, .history = history, .filter = false}));
+        std::vector<float> motion;
+        for (uint32_t i = 0; i < extent.width * extent.height; ++i)
+            motion.insert(motion.end(), {speedPx / static_cast<float>(extent.width), 0.0f});
+        testGpu().uploadFloats(frame.motion, motion);
+        std::vector<float> lighting;
+        for (uint64_t n = 0; n <= 12; ++n) {
+            FrameInput input = frame.input(n);
+            input.cache.obscurance = tuning;
+            input.cache.obscurance.intensity = n < 12 ? 0.0f : 1.0f;
+            lighting = lightingOf(recorder, input);
+        }
+        return 1.0 - double{lighting[4 * (size_t(extent.width) * 32 + 36)]};
+    };
+    const auto weight = [&](float speedPx, const ObscuranceTuning& tuning) {
+        return 1.0 - darkness(true, speedPx, tuning) / darkness(false, speedPx, tuning);
+    };
+    ASSERT_GT(darkness(false, 0.0f, {}), 0.1);
+    // Half a level of red and the noise of the write, over a darkness of 0.1.
+    constexpr double bound = 0.03;
+    EXPECT_NEAR(weight(0.0f, {}), 0.9, bound);
+    EXPECT_NEAR(weight(0.4f, {}), 0.6, bound);
+    EXPECT_NEAR(weight(0.4f, {.maxWeight = 0.5f}), 0.5, bound) << "no more than at rest";
+    EXPECT_NEAR(weight(0.4f, {.movingWeight = 0.3f}), 0.3, bound);
+    EXPECT_NEAR(weight(0.4f, {.movingPx = 0.8f}), 0.75, bound) << "half way";
+}
+
 // A shadow map of one cascade whose left half stands in the sun: the left half of a wall that the camera
 // faces is lit, the right one is not, alone and packed with occlusion.
 TEST_P(LightingTest, shadowsOfTheSunAreCachedAloneAndWithOcclusion) {
