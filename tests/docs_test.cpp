@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -71,10 +72,11 @@ std::string sectionOf(const PassInfo& pass) {
     return page.substr(begin, page.find("\n## ", begin + 1) - begin);
 }
 
-// "22, 14.3": texture reads per pixel in the fragment and in the compute form.
+// "22, 14.3": texture reads per pixel in the fragment and in the compute form; of a pass with one form that.
 std::string readsOf(const reprise::Variant& variant) {
     std::string text;
     for (const Stage stage : {Stage::fragment, Stage::compute}) {
+        if (std::ranges::find(variant.pass->stages, stage) == variant.pass->stages.end()) continue;
         const auto compiled =
             reprisec::compile(pack(), variant, stage, {.glsl = false, .platformSwitches = {}});
         if (!compiled) return compiled.error().message;
@@ -120,6 +122,10 @@ TEST(Docs, everyImageHasARowWithItsBindingAndFormat) {
             const std::string row = rowOf(sectionOf(*pass), image.name);
             EXPECT_NE(row, "") << pass->name << " " << image.name;
             EXPECT_TRUE(has(row, image.format)) << image.format << "\n" << row;
+            for (const auto& choice : image.formatBy)
+                EXPECT_TRUE(has(row, std::string(choice.when.value) + ": " + std::string(choice.format)))
+                    << choice.when.value << ": " << choice.format << "\n"
+                    << row;
             for (const auto& binding : pass->bindings)
                 if (binding.name == image.name) {
                     EXPECT_TRUE(has(row, "| " + std::to_string(binding.binding) + " |")) << row;

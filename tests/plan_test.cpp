@@ -219,8 +219,8 @@ TEST(Plan, theFrameworksStepsFollowFromNeedsAndSettings) {
         names.insert(names.end(), more.begin(), more.end());
         return names;
     };
-    const Names all =
-        after(first, {"reprojection_cache", "bilateral_filter", "bilateral_filter", "bilateral_upsample"});
+    const Names cached{"reprojection_cache"}, filtered{"bilateral_filter", "bilateral_filter"};
+    const Names all = after(after(after(first, cached), filtered), {"bilateral_upsample"});
     const Row rows[] = {
         {lighting({.objectsMove = false}), {}, all},
         {lighting({.cameraMoves = false, .objectsMove = false}), {}, all},
@@ -231,7 +231,7 @@ TEST(Plan, theFrameworksStepsFollowFromNeedsAndSettings) {
          after(first, {"reprojection_cache", "bilateral_upsample"})},
         {lighting(), {.history = false}, all},
         {lighting(), {.history = false, .filter = false}, after(first, {"bilateral_upsample"})},
-        {{.antiAliasing = false, .objectsMove = false, .cachedValue = true},
+        {{.antiAliasing = false, .objectsMove = false, .cachedChannels = 1},
          {},
          {"depth_downsample", "reprojection_cache", "bilateral_filter", "bilateral_filter",
           "bilateral_upsample"}},
@@ -241,7 +241,9 @@ TEST(Plan, theFrameworksStepsFollowFromNeedsAndSettings) {
     };
     for (const Row& row : rows)
         for (const Stage stage : {Stage::fragment, Stage::compute}) {
-            const FramePlan plan = planned(row.needs, {.stage = stage, .cache = row.cache});
+            CacheSettings cache = row.cache;
+            cache.merges = stage == Stage::fragment; // where it has no say
+            const FramePlan plan = planned(row.needs, {.stage = stage, .cache = cache});
             EXPECT_EQ(passNames(plan), row.passes);
             for (const PassInfo& pass : pack().passes())
                 if (!pass.outputs.empty() && passOf(plan, pass.name) == nullptr) {
@@ -250,18 +252,131 @@ TEST(Plan, theFrameworksStepsFollowFromNeedsAndSettings) {
         }
 }
 
-TEST(Plan, historyIsFoundAsTheSceneAllows) {
-    const auto found = [](const SceneNeeds& needs, const CacheSettings& cache = {}) {
-        return switchOf(planned(lighting(needs), {.cache = cache}), "reprojection_cache", "HISTORY");
+// What computes a visibility and what accumulates it are one pass in compute, unless there is nothing to
+// accumulate, or what is cached is the engine's.
+TEST(Plan, computeMergesWhatIsCachedWithItsCache) {
+    struct Row {
+        SceneNeeds needs;
+        std::string_view fresh, values;
     };
-    EXPECT_EQ(found({}), "motion");
-    EXPECT_EQ(found({.objectsMove = false}), "camera");
-    EXPECT_EQ(found({.cameraMoves = false}), "motion");
-    EXPECT_EQ(found({.cameraMoves = false, .objectsMove = false}), "still");
-    EXPECT_EQ(found({}, {.history = false}), "none");
-    const FramePlan camera = planned(lighting({.objectsMove = false}));
-    EXPECT_EQ(imageOf(camera, "gOutVelocity"), nullptr);
-    EXPECT_NE(reasonFor(camera, "reprojection_cache: HISTORY"), "");
+    const Row rows[] = {
+        {lighting({.objectsMove = false}), "occlusion", "one"},
+        {{.antiAliasing = false, .objectsMove = false, .sunShadows = true}, "shadow", "one"},
+        {lighting({.objectsMove = false, .sunShadows = true}), "both", "two"},
+    };
+    for (const Row& row : rows) {
+        const FramePlan plan = planned(row.needs, {.cache = {.samples = 8, .packing = "two"}});
+        EXPECT_EQ(passNames(plan), (Names{"depth_downsample", "lighting_cache", "bilateral_filter",
+                                          "bilateral_filter", "bilateral_upsample"}));
+        EXPECT_EQ(switchOf(plan, "lighting_cache", "FRESH"), row.fresh);
+        EXPECT_EQ(switchOf(plan, "lighting_cache", "VALUES"), row.values);
+        EXPECT_EQ(switchOf(plan, "lighting_cache", "SAMPLES"), "8");
+        EXPECT_EQ(switchOf(plan, "lighting_cache", "CHANGE_DETECTION"), "on");
+        EXPECT_EQ(reasonFor(plan, "reprojection_cache"), "lighting_cache does it.");
+        EXPECT_EQ(reasonFor(plan, "ambient_occlusion") == "lighting_cache does it.", row.fresh != "shadow");
+        EXPECT_EQ(reasonFor(plan, "sun_shadow") == "lighting_cache does it.", row.fresh != "occlusion");
+        // 16 bits of depth are for the points that occlusion checks.
+        const bool halves = row.fresh != "shadow";
+        for (const char* pass : {"depth_downsample", "lighting_cache"})
+            EXPECT_EQ(switchOf(plan, pass, "HALF_DEPTH"), halves ? "on" : "off") << row.fresh;
+        EXPECT_EQ(imageOf(plan, "gOutHalfDepth") != nullptr, halves);
+    }
+    const SceneNeeds occlusion = lighting({.objectsMove = false});
+    const SceneNeeds value{.antiAliasing = false, .objectsMove = false, .cachedChannels = 1};
+    const auto apart = [](const SceneNeeds& needs, const Settings& settings) {
+        const FramePlan plan = planned(needs, settings);
+        const PlannedPass* depth = passOf(plan, "depth_downsample");
+        return passOf(plan, "lighting_cache") == nullptr &&
+               reasonFor(plan, "lighting_cache").ends_with('.') &&
+               (depth == nullptr || switchValue(depth->variant, "HALF_DEPTH") == "off");
+    };
+    EXPECT_FALSE(apart(occlusion, {}));
+    EXPECT_FALSE(apart(occlusion, {.cache = {.ratio = 1}}));
+    EXPECT_FALSE(apart(occlusion, {.cache = {.history = false}})) << "the filter's layout";
+    EXPECT_FALSE(apart(occlusion, {.cache = {.filter = false}}));
+    EXPECT_TRUE(apart(occlusion, {.stage = Stage::fragment}));
+    EXPECT_TRUE(apart(occlusion, {.cache = {.merges = false}}));
+    EXPECT_TRUE(apart(occlusion, {.cache = {.history = false, .filter = false}}));
+    EXPECT_TRUE(apart(occlusion, {.cache = {.occlusion = "scalable_obscurance", .samples = 7}}));
+    EXPECT_TRUE(apart(value, {}));
+}
+
+// One value has its depth beside it, more have the frame's; each image has the format of that.
+TEST(Plan, channelsOfTheEnginesChooseValuesAndFormats) {
+    struct Row {
+        uint32_t channels;
+        std::string_view values, cache, state, upsampled;
+    };
+    const Row rows[] = {{1, "one", "rg16f", "r16f", "r16f"},
+                        {2, "two", "rg16f", "rg16f", "rg16f"},
+                        {3, "four", "rgba16f", "rg16f", "rgba16f"},
+                        {4, "four", "rgba16f", "rg16f", "rgba16f"}};
+    for (const Row& row : rows)
+        for (const Stage stage : {Stage::fragment, Stage::compute})
+            for (const bool filtersHistory : {false, true}) {
+                const FramePlan plan =
+                    planned({.antiAliasing = false, .objectsMove = false, .cachedChannels = row.channels},
+                            {.stage = stage, .cache = {.filtersHistory = filtersHistory}});
+                for (const char* pass : {"reprojection_cache", "bilateral_filter", "bilateral_upsample"})
+                    EXPECT_EQ(switchOf(plan, pass, "VALUES"), row.values) << pass << row.channels;
+                for (const char* image : {"gInFresh", "gOutCache", "gOutFilteredAcross", "gOutFiltered"})
+                    EXPECT_EQ(imageOf(plan, image)->format, row.cache) << image << row.channels;
+                EXPECT_EQ(imageOf(plan, "gOutCacheState")->format, row.state);
+                EXPECT_EQ(imageOf(plan, "gOutUpsampled")->format, row.upsampled);
+                EXPECT_TRUE(imageOf(plan, "gInFresh")->external);
+                EXPECT_TRUE(imageOf(plan, "gOutCacheState")->history);
+            }
+}
+
+TEST(Plan, formatsFollowTheirSwitch) {
+    auto variant = makeVariant(pack().passes(), "reprojection_cache");
+    ASSERT_TRUE(variant);
+    const auto formats = [&](std::string_view values) {
+        EXPECT_TRUE(setSwitch(*variant, "VALUES", values));
+        Names found;
+        for (const ImageInfo& output : variant->pass->outputs)
+            found.emplace_back(formatOf(*variant, output));
+        return found;
+    };
+    EXPECT_EQ(formats("one"), (Names{"rg16f", "r16f"}));
+    EXPECT_EQ(formats("two"), (Names{"rg16f", "rg16f"}));
+    EXPECT_EQ(formats("four"), (Names{"rgba16f", "rg16f"}));
+    EXPECT_EQ(formats("shadow_in_integer"), (Names{"rg16f", "r16f"}));
+    for (const ImageInfo& input : variant->pass->inputs)
+        if (input.formatBy.empty()) {
+            EXPECT_EQ(formatOf(*variant, input), input.format) << input.name;
+        }
+}
+
+// Taps that do not lie a texel apart cannot be gathered.
+TEST(Plan, stepsOfTheFilterChooseItsForm) {
+    for (const auto& [step, form] :
+         {std::pair{1.0f, "one"}, std::pair{2.0f, "any"}, std::pair{0.5f, "any"}}) {
+        const FramePlan plan = planned(lighting(), {.cache = {.filterStep = step}});
+        EXPECT_EQ(switchOf(plan, "bilateral_filter", "STEP"), form) << step;
+        EXPECT_EQ(plan.cache.filterStep, step);
+        const FramePlan fragment =
+            planned(lighting(), {.stage = Stage::fragment, .cache = {.filterStep = step}});
+        EXPECT_EQ(switchOf(fragment, "bilateral_filter", "STEP"), "one") << "one form for any step";
+    }
+}
+
+TEST(Plan, historyIsFoundAsTheSceneAllows) {
+    for (const bool merges : {false, true}) {
+        const std::string cache = merges ? "lighting_cache" : "reprojection_cache";
+        const auto found = [&](const SceneNeeds& needs, bool history = true) {
+            return switchOf(planned(lighting(needs), {.cache = {.history = history, .merges = merges}}),
+                            cache, "HISTORY");
+        };
+        EXPECT_EQ(found({}), "motion");
+        EXPECT_EQ(found({.objectsMove = false}), "camera");
+        EXPECT_EQ(found({.cameraMoves = false}), "motion");
+        EXPECT_EQ(found({.cameraMoves = false, .objectsMove = false}), "still");
+        EXPECT_EQ(found({}, false), "none");
+        const FramePlan camera = planned(lighting({.objectsMove = false}), {.cache = {.merges = merges}});
+        EXPECT_EQ(imageOf(camera, "gOutVelocity"), nullptr);
+        EXPECT_NE(reasonFor(camera, cache + ": HISTORY"), "");
+    }
 }
 
 // Image that a pass reads as this input.
@@ -275,38 +390,54 @@ std::string source(const FramePlan& plan, size_t pass, std::string_view input) {
 TEST(Plan, eachStepReadsWhatTheOneBeforeWrote) {
     const SceneNeeds needs = lighting({.objectsMove = false});
     for (const bool filtersHistory : {false, true}) {
-        const FramePlan plan = planned(needs, {.cache = {.filtersHistory = filtersHistory}});
+        const FramePlan plan = planned(needs, {.cache = {.merges = false, .filtersHistory = filtersHistory}});
         EXPECT_EQ(source(plan, 1, "gInCoarseDepth"), "gOutCoarseDepth");
         EXPECT_EQ(source(plan, 2, "gInFresh"), "gOutOcclusion");
         EXPECT_EQ(source(plan, 2, "gHistoryCache"), filtersHistory ? "gOutFiltered" : "gOutCache");
+        EXPECT_EQ(source(plan, 2, "gHistoryCacheState"), "gOutCacheState");
         EXPECT_EQ(source(plan, 3, "gInCache"), "gOutCache");
         EXPECT_EQ(source(plan, 4, "gInCache"), "gOutFilteredAcross");
         EXPECT_EQ(source(plan, 4, "gInCacheFiltered"), "gOutFilteredAcross");
+        for (const size_t filter : {3, 4})
+            EXPECT_EQ(source(plan, filter, "gInCacheState"), "gOutCacheState");
+        const FramePlan merged = planned(needs, {.cache = {.filtersHistory = filtersHistory}});
+        EXPECT_EQ(source(merged, 1, "gInHalfDepth"), "gOutHalfDepth");
+        EXPECT_EQ(source(merged, 1, "gHistoryCache"), filtersHistory ? "gOutFiltered" : "gOutCache");
+        EXPECT_EQ(source(merged, 2, "gInCache"), "gOutCache");
         EXPECT_EQ(source(plan, 5, "gInFiltered"), "gOutFiltered");
         EXPECT_EQ(imageOf(plan, "gOutCache")->history, !filtersHistory);
         EXPECT_EQ(imageOf(plan, "gOutFiltered")->history, filtersHistory);
+        EXPECT_TRUE(imageOf(plan, "gOutCacheState")->history);
     }
-    const FramePlan unfiltered = planned(needs, {.cache = {.filter = false, .filtersHistory = true}});
+    const FramePlan unfiltered =
+        planned(needs, {.cache = {.filter = false, .merges = false, .filtersHistory = true}});
     EXPECT_EQ(source(unfiltered, 3, "gInFiltered"), "gOutCache");
     EXPECT_TRUE(imageOf(unfiltered, "gOutCache")->history);
     const FramePlan fresh = planned(needs, {.cache = {.history = false, .filter = false}});
     EXPECT_EQ(source(fresh, 2, "gInFiltered"), "gOutOcclusion");
     for (const PlannedImage& image : fresh.images)
         EXPECT_FALSE(image.history) << image.name;
-    EXPECT_EQ(source(planned({.antiAliasing = false, .cachedValue = true}), 3, "gInFresh"), "gInFresh");
+    EXPECT_EQ(source(planned({.antiAliasing = false, .cachedChannels = 1}), 3, "gInFresh"), "gInFresh");
 }
 
-// Both share one cache: packed, and at the ratio that upsampling unpacks.
+// Both share one cache: packed, and at the ratio that upsampling unpacks, or as two values.
 TEST(Plan, occlusionAndShadowsShareACache) {
-    const FramePlan plan = planned(lighting({.objectsMove = false, .sunShadows = true}));
+    const Settings apart{.cache = {.merges = false}};
+    const FramePlan plan = planned(lighting({.objectsMove = false, .sunShadows = true}), apart);
     EXPECT_EQ(passNames(plan),
               (Names{"depth_downsample", "ambient_occlusion", "sun_shadow", "reprojection_cache",
                      "bilateral_filter", "bilateral_filter", "bilateral_upsample"}));
     for (const char* pass : {"sun_shadow", "reprojection_cache", "bilateral_filter", "bilateral_upsample"})
         EXPECT_EQ(switchOf(plan, pass, "VALUES"), "shadow_in_integer") << pass;
+    const FramePlan two = planned(lighting({.objectsMove = false, .sunShadows = true}),
+                                  {.cache = {.merges = false, .packing = "two"}});
+    for (const char* pass : {"sun_shadow", "reprojection_cache", "bilateral_filter", "bilateral_upsample"})
+        EXPECT_EQ(switchOf(two, pass, "VALUES"), "two") << pass;
+    EXPECT_EQ(imageOf(two, "gOutCacheState")->format, "rg16f");
+    EXPECT_EQ(source(two, 3, "gInCoarseDepth"), "gOutCoarseDepth") << "no depth beside the values";
     const FramePlan shadows =
         planned({.antiAliasing = false, .objectsMove = false, .sunShadows = true, .reversedShadows = true},
-                {.cache = {.cascades = 2}});
+                {.cache = {.cascades = 2, .merges = false}});
     EXPECT_EQ(switchOf(shadows, "sun_shadow", "VALUES"), "one");
     EXPECT_EQ(switchOf(shadows, "sun_shadow", "CASCADES"), "2");
     EXPECT_EQ(switchOf(shadows, "sun_shadow", "SHADOW_REVERSED"), "on");
@@ -335,13 +466,13 @@ TEST(Plan, scalableObscuranceIsAPlanOfItsOwn) {
 TEST(Plan, normalsAreReadWhereTheEngineHasThem) {
     const FramePlan with =
         planned(lighting({.objectsMove = false, .normals = true}), {.cache = {.ratio = 4}});
-    EXPECT_EQ(switchOf(with, "ambient_occlusion", "NORMALS"), "read");
+    EXPECT_EQ(switchOf(with, "lighting_cache", "NORMALS"), "read");
     EXPECT_EQ(switchOf(with, "bilateral_upsample", "NORMAL_WEIGHTS"), "on");
     ASSERT_NE(imageOf(with, "gInNormal"), nullptr);
     EXPECT_TRUE(imageOf(with, "gInNormal")->external);
     EXPECT_EQ(imageOf(with, "gInNormal")->extent.width, 640u);
     const FramePlan without = planned(lighting({.objectsMove = false}));
-    EXPECT_EQ(switchOf(without, "ambient_occlusion", "NORMALS"), "reconstructed");
+    EXPECT_EQ(switchOf(without, "lighting_cache", "NORMALS"), "reconstructed");
     EXPECT_EQ(switchOf(without, "bilateral_upsample", "NORMAL_WEIGHTS"), "off");
     EXPECT_EQ(imageOf(without, "gInNormal"), nullptr);
     EXPECT_EQ(imageOf(planned({.normals = true}), "gInNormal"), nullptr) << "anti-aliasing asks for none";
@@ -355,11 +486,10 @@ TEST(Plan, lightIsCombinedAfterTheFrameworkAndBeforeAntiAliasing) {
                            .otherLight = true};
     const FramePlan plan = planned(needs);
     EXPECT_EQ(passNames(plan),
-              (Names{"camera_velocity", "depth_downsample", "ambient_occlusion", "sun_shadow",
-                     "reprojection_cache", "bilateral_filter", "bilateral_filter", "bilateral_upsample",
-                     "combine_lighting", "temporal_aa"}));
-    EXPECT_EQ(source(plan, 8, "gInLighting"), "gOutUpsampled");
-    EXPECT_EQ(source(plan, 9, "gInColour"), "gOutLit");
+              (Names{"camera_velocity", "depth_downsample", "lighting_cache", "bilateral_filter",
+                     "bilateral_filter", "bilateral_upsample", "combine_lighting", "temporal_aa"}));
+    EXPECT_EQ(source(plan, 6, "gInLighting"), "gOutUpsampled");
+    EXPECT_EQ(source(plan, 7, "gInColour"), "gOutLit");
     EXPECT_EQ(imageOf(plan, "gInColour"), nullptr) << "the engine hands over no colour";
     EXPECT_EQ(switchOf(plan, "combine_lighting", "LIGHTING"), "both");
     for (const char* light : {"gInAmbientLight", "gInSunLight", "gInOtherLight"}) {
@@ -379,7 +509,7 @@ TEST(Plan, whatIsNotCachedAsksForNoLight) {
         needs.combinesLighting = true;
         return planned(needs);
     };
-    for (const SceneNeeds needs : {SceneNeeds{.ambientOcclusion = true}, SceneNeeds{.cachedValue = true}}) {
+    for (const SceneNeeds needs : {SceneNeeds{.ambientOcclusion = true}, SceneNeeds{.cachedChannels = 1}}) {
         const FramePlan plan = combined(needs);
         EXPECT_EQ(passNames(plan).back(), "combine_lighting");
         EXPECT_EQ(switchOf(plan, "combine_lighting", "LIGHTING"), "occlusion");
@@ -406,7 +536,7 @@ TEST(Plan, lightIsCombinedWithTheLastStepThatThereIs) {
     EXPECT_EQ(combinedWith({.ratio = 1}), "gOutFiltered");
     EXPECT_EQ(combinedWith({.ratio = 1, .filter = false}), "gOutCache");
     EXPECT_EQ(combinedWith({.ratio = 1, .history = false, .filter = false}), "gOutOcclusion");
-    const SceneNeeds value{.antiAliasing = false, .cachedValue = true};
+    const SceneNeeds value{.antiAliasing = false, .cachedChannels = 1};
     EXPECT_EQ(combinedWith({.ratio = 1, .history = false, .filter = false}, value), "gInFresh");
     EXPECT_EQ(combinedWith({.occlusion = "scalable_obscurance", .samples = 7}), "gOutFilteredObscurance");
     EXPECT_EQ(combinedWith({.occlusion = "scalable_obscurance", .samples = 7, .filter = false}),
@@ -427,12 +557,16 @@ TEST(Plan, fullResolutionIsNotUpsampled) {
 // Odd sizes round up, and every coarse image follows the ratio, of passes too that do not know it.
 TEST(Plan, coarseImagesFollowTheRatio) {
     for (const uint32_t ratio : {2u, 4u}) {
+        const auto apart = tryPlan(lighting(), {.cache = {.ratio = ratio, .merges = false}}, {641, 359});
         const auto plan = tryPlan(lighting(), {.cache = {.ratio = ratio}}, {641, 359});
         ASSERT_TRUE(plan) << plan.error().message;
-        for (const char* name :
-             {"gOutCoarseDepth", "gOutOcclusion", "gOutCache", "gOutFilteredAcross", "gOutFiltered"}) {
-            EXPECT_EQ(imageOf(*plan, name)->extent.width, (641 + ratio - 1) / ratio) << name;
-            EXPECT_EQ(imageOf(*plan, name)->extent.height, (359 + ratio - 1) / ratio) << name;
+        ASSERT_TRUE(apart) << apart.error().message;
+        for (const char* name : {"gOutCoarseDepth", "gOutHalfDepth", "gOutOcclusion", "gOutCache",
+                                 "gOutCacheState", "gOutFilteredAcross", "gOutFiltered"}) {
+            const PlannedImage* image = imageOf(*plan, name) ? imageOf(*plan, name) : imageOf(*apart, name);
+            ASSERT_NE(image, nullptr) << name;
+            EXPECT_EQ(image->extent.width, (641 + ratio - 1) / ratio) << name;
+            EXPECT_EQ(image->extent.height, (359 + ratio - 1) / ratio) << name;
         }
         EXPECT_EQ(imageOf(*plan, "gOutUpsampled")->extent.width, 641u);
         EXPECT_EQ(switchOf(*plan, "depth_downsample", "RATIO"), std::to_string(ratio));
@@ -454,9 +588,9 @@ TEST(Plan, leavingStepsOutSavesMemory) {
 
 TEST(Plan, overridesNameThePassTheyAreOf) {
     const auto plan = planned(
-        lighting(), {.overrides = {{"bilateral_filter.TAPS", "point"}, {"ambient_occlusion.SAMPLES", "16"}}});
+        lighting(), {.overrides = {{"bilateral_filter.TAPS", "point"}, {"lighting_cache.SAMPLES", "16"}}});
     EXPECT_EQ(switchOf(plan, "bilateral_filter", "TAPS"), "point");
-    EXPECT_EQ(switchOf(plan, "ambient_occlusion", "SAMPLES"), "16");
+    EXPECT_EQ(switchOf(plan, "lighting_cache", "SAMPLES"), "16");
     EXPECT_FALSE(tryPlan(lighting(), {.overrides = {{"bilateral_filter.TAPES", "point"}}}));
     EXPECT_FALSE(tryPlan(lighting(), {.overrides = {{"bilateral_fitler.TAPS", "point"}}}));
 }
@@ -473,7 +607,8 @@ TEST(Plan, mistakesOfTheCacheAreSentences) {
     EXPECT_TRUE(says(tryPlan(lighting(), {.cache = {.samples = 5}}), "SAMPLES"));
     // A value of the switch VALUES, but not for two values.
     EXPECT_TRUE(says(tryPlan(lighting({.sunShadows = true}), {.cache = {.packing = "one"}}), "packing is"));
-    EXPECT_TRUE(says(tryPlan(lighting({.cachedValue = true})), "a recorder for each"));
+    EXPECT_TRUE(says(tryPlan(lighting({.cachedChannels = 1})), "a recorder for each"));
+    EXPECT_TRUE(says(tryPlan({.cachedChannels = 5}), "SceneNeeds::cachedChannels is 0 to 4, not 5."));
     EXPECT_TRUE(says(tryPlan({.combinesLighting = true}), "combinesLighting"));
 }
 

@@ -440,6 +440,16 @@ TEST(PlanCommand, weighsReadsByThePixelsOfTheOutput) {
         options.cache.ratio = 4;
         EXPECT_DOUBLE_EQ(reads(), (4 + 6) / 16.0 + upsampling);
     }
+    // Of both in one cache with a history: depth, both with their cache, and what upsampling has of two
+    // values.
+    options.occlusion = "ambient_occlusion";
+    options.stage = "compute";
+    options.cache.ratio = 2;
+    options.cache.history = true;
+    options.packing = "two";
+    options.needs.sunShadows = options.needs.cameraMoves = true;
+    EXPECT_DOUBLE_EQ(reads(), (1 + 12) / 4.0 + 1.5);
+    options = occlusionAlone();
     options.occlusion = "scalable_obscurance"; // its hierarchy is half as wide again
     EXPECT_DOUBLE_EQ(reads(), 1.5 + 9);
 }
@@ -471,11 +481,15 @@ TEST(PlanCommand, countsTheBytesOfEachModuleOnce) {
     for (const Stage stage : {Stage::fragment, Stage::compute}) {
         options.stage = stageText(stage);
         const auto plan = planFor(shaders, options.needs, options);
-        ASSERT_EQ(6u, plan.passes.size());
-        EXPECT_EQ(plan.passes[3].run, "across");
+        ASSERT_EQ(stage == Stage::fragment ? 6u : 5u, plan.passes.size());
         uint64_t words = stage == Stage::fragment ? shaders.fullscreenVertex().size() : 0;
-        for (const size_t once : {0, 1, 2, 3, 5})
-            words += shaders.get(plan.passes[once].variant, stage).spirv.size();
+        size_t again = 0;
+        for (const auto& pass : plan.passes)
+            if (pass.run == "down")
+                ++again;
+            else
+                words += shaders.get(pass.variant, stage).spirv.size();
+        EXPECT_EQ(1u, again);
         EXPECT_EQ(4 * words, costOf(shaders, options).spirvBytes);
     }
 }
@@ -490,10 +504,9 @@ TEST(PlanCommand, comparesASceneWithEverythingOn) {
     std::multiset<std::string> names;
     for (const auto& pass : all.passes)
         names.emplace(pass.variant.pass->name);
-    const std::multiset<std::string> expected{"camera_velocity",    "object_velocity",   "object_velocity",
-                                              "depth_downsample",   "ambient_occlusion", "sun_shadow",
-                                              "reprojection_cache", "bilateral_filter",  "bilateral_filter",
-                                              "bilateral_upsample", "combine_lighting",  "temporal_aa"};
+    const std::multiset<std::string> expected{
+        "camera_velocity",  "object_velocity",  "object_velocity",    "depth_downsample", "lighting_cache",
+        "bilateral_filter", "bilateral_filter", "bilateral_upsample", "combine_lighting", "temporal_aa"};
     EXPECT_EQ(expected, names);
     ASSERT_EQ(1u, scene.passes.size());
     EXPECT_EQ(scene.passes.front().variant.pass->name, "temporal_aa");
@@ -542,14 +555,16 @@ std::string printedPlan(const std::string& options) {
 
 // Each option, with what it alone brings into the plan, or out of it.
 TEST(PlanCommand, optionsReachThePlan) {
-    const std::string occlusion = "--no-anti-aliasing --static-camera --static-objects --ambient-occlusion ";
+    const std::string merged = "--no-anti-aliasing --static-camera --static-objects --ambient-occlusion ",
+                      occlusion = merged + "--no-merging ";
     const auto has = [](const std::string& text, const char* part) {
         return text.find(part) != std::string::npos;
     };
     const std::string usual = printedPlan(occlusion);
     const std::pair<const char*, const char*> brought[] = {
-        {"--sun-shadows", "  sun_shadow--values-occlusion_in_integer\n"},
-        {"--sun-shadows --packing shadow_in_integer", "  sun_shadow--values-shadow_in_integer\n"},
+        {"--sun-shadows", "  sun_shadow--values-shadow_in_integer\n"},
+        {"--sun-shadows --packing occlusion_in_integer", "  sun_shadow--values-occlusion_in_integer\n"},
+        {"--sun-shadows --packing two", "  bilateral_filter--values-two, across\n"},
         {"--sun-shadows --cascades 2", "  sun_shadow--cascades-2--"},
         {"--sun-shadows --reversed-shadows", "--shadow_reversed-on"},
         {"--occlusion scalable_obscurance", "  scalable_obscurance--motion-off\n"},
@@ -559,14 +574,18 @@ TEST(PlanCommand, optionsReachThePlan) {
         {"--no-history", "  reprojection_cache--history-none\n"},
         {"--no-change-detection", "  reprojection_cache--history-still\n"},
         {"--no-filter", "without bilateral_filter: CacheSettings::filter is off"},
-        {"--filter-history", "gOutFiltered                 rgba16f  32x32  0.01 MiB, history"},
+        {"--filter-history", "gOutFiltered                 rg16f    32x32  0.00 MiB, history"},
     };
     for (const auto& [option, line] : brought) {
         EXPECT_FALSE(has(usual, line)) << line;
         const std::string text = printedPlan(occlusion + option);
         EXPECT_TRUE(has(text, line)) << option << "\n" << text;
     }
-    EXPECT_TRUE(has(printedPlan("--cached-value"), "gInFresh"));
+    EXPECT_TRUE(has(usual, "without lighting_cache: CacheSettings::merges is off")) << usual;
+    EXPECT_TRUE(has(printedPlan(merged), "without reprojection_cache: lighting_cache does it"));
+    EXPECT_TRUE(has(printedPlan("--cached-channels 1"), "gInFresh"));
+    EXPECT_TRUE(has(printedPlan("--cached-channels 3"), "  bilateral_filter--values-four, across\n"));
+    EXPECT_TRUE(has(printedPlan("--cached-channels 5"), "cachedChannels is 0 to 4, not 5"));
     EXPECT_TRUE(has(usual, "  bilateral_filter, across\n  bilateral_filter, down\n")) << usual;
     EXPECT_TRUE(has(usual, "count by its output's share of the frame's pixels")) << usual;
     EXPECT_TRUE(has(printedPlan(occlusion + "--occlusion sun_shadow"), "ambient_occlusion or scalable"));

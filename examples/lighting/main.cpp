@@ -189,7 +189,7 @@ reprise::Result<Result> runFrame(Recorders& recorders, const Frames& frames, uin
     VkCommandBuffer commands = beginCommands(frames.engine);
     const auto lighting = recordLighting(recorders, commands, input);
     if (!lighting) return lighting.error();
-    result.lighting = redOf(frames, commands, *lighting->lighting, 2);
+    result.lighting = redOf(frames, commands, *lighting->lighting, 1);
     result.shaded = render(index, 1, input.jitterPx,
                            [&](const Surface& s, size_t i) { return s.albedo * result.lighting[i]; });
     fill(frames, frames.colour, 4, result.shaded);

@@ -19,99 +19,81 @@ void main()
 {
     do
     {
-        vec2 _69 = vec2(gl_GlobalInvocationID.xy) * 2.0;
-        vec2 _70 = _69 - vec2(1.0);
-        if (any(greaterThanEqual(_70, parameters.gOutputSize.xy)))
+        vec2 _73 = vec2(gl_GlobalInvocationID.xy) * 2.0;
+        vec2 _74 = _73 - vec2(1.0);
+        if (any(greaterThanEqual(_74, parameters.gOutputSize.xy)))
         {
             break;
         }
-        vec2 _78 = _69 + vec2(-0.5);
-        vec2 _81 = fma(_78, vec2(0.5), vec2(-0.5));
-        vec2 _82 = floor(_81);
-        vec2 _87 = (_82 + vec2(1.0)) * parameters.gCoarseSize.zw;
-        vec4 _90 = textureGather(gInFiltered, _87).wzxy;
-        vec4 _93 = mix(vec4(1.9999999360571384930131252153835e+38), _90, lessThanEqual(abs(_90), vec4(65504.0)));
-        vec4 _98 = textureGather(gInCoarseDepth, _87).wzxy;
-        vec4 _104 = textureGather(gInDepth, _69 * parameters.gOutputSize.zw);
-        bvec2 _105 = greaterThanEqual(_70, vec2(0.0));
-        bvec2 _106 = lessThan(_69, parameters.gOutputSize.xy);
-        bool _107 = _105.x;
-        bool _108 = _105.y;
-        if (_107 && _108)
+        vec2 _91 = (floor(fma(_73 + vec2(-0.5), vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw;
+        vec4 _93 = textureGather(gInFiltered, _91);
+        float _94 = _93.w;
+        float _95 = _93.z;
+        float _96 = _93.x;
+        float _97 = _93.y;
+        float _100 = float(abs(_94) <= 65504.0);
+        float _102 = (_100 > 0.5) ? _94 : 0.0;
+        float _105 = float(abs(_95) <= 65504.0);
+        float _107 = (_105 > 0.5) ? _95 : 0.0;
+        float _110 = float(abs(_96) <= 65504.0);
+        float _112 = (_110 > 0.5) ? _96 : 0.0;
+        float _115 = float(abs(_97) <= 65504.0);
+        vec4 _116 = vec4(_100, _105, _110, _115);
+        float _118 = (_115 > 0.5) ? _97 : 0.0;
+        vec4 _123 = textureGather(gInCoarseDepth, _91).wzxy;
+        vec4 _126 = mix(vec4(65504.0), min(_123, vec4(65504.0)), greaterThan(_123, vec4(0.0)));
+        vec4 _132 = textureGather(gInDepth, _73 * parameters.gOutputSize.zw);
+        float _133 = _132.w;
+        float _137 = min(parameters.gSkyDepth, 65504.0);
+        vec4 _144 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4(((_133 > 0.0) && (_133 < _137)) ? _133 : 65504.0) - _126);
+        vec4 _151 = (((vec4(0.5625, 0.1875, 0.1875, 0.0625) * _116) * _144.yxxx) * _144.zzyy) * _144.wwwz;
+        vec4 _155 = _151 * (1.0 / max(dot(_151, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _164 = vec4(fma(_155.w, _118, fma(_155.z, _112, fma(_155.x, _102, _155.y * _107))), 0.0, 0.0, 0.0);
+        float _165 = _132.z;
+        vec4 _173 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4(((_165 > 0.0) && (_165 < _137)) ? _165 : 65504.0) - _126);
+        vec4 _180 = (((vec4(0.1875, 0.5625, 0.0625, 0.1875) * _116) * _173.yxxx) * _173.zzyy) * _173.wwwz;
+        vec4 _184 = _180 * (1.0 / max(dot(_180, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _193 = vec4(fma(_184.w, _118, fma(_184.z, _112, fma(_184.x, _102, _184.y * _107))), 0.0, 0.0, 0.0);
+        float _194 = _132.x;
+        vec4 _202 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4(((_194 > 0.0) && (_194 < _137)) ? _194 : 65504.0) - _126);
+        vec4 _209 = (((vec4(0.1875, 0.0625, 0.5625, 0.1875) * _116) * _202.yxxx) * _202.zzyy) * _202.wwwz;
+        vec4 _213 = _209 * (1.0 / max(dot(_209, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _222 = vec4(fma(_213.w, _118, fma(_213.z, _112, fma(_213.x, _102, _213.y * _107))), 0.0, 0.0, 0.0);
+        float _223 = _132.y;
+        vec4 _231 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4(((_223 > 0.0) && (_223 < _137)) ? _223 : 65504.0) - _126);
+        vec4 _238 = (((vec4(0.0625, 0.1875, 0.1875, 0.5625) * _116) * _231.yxxx) * _231.zzyy) * _231.wwwz;
+        vec4 _242 = _238 * (1.0 / max(dot(_238, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _251 = vec4(fma(_242.w, _118, fma(_242.z, _112, fma(_242.x, _102, _242.y * _107))), 0.0, 0.0, 0.0);
+        bvec2 _252 = greaterThanEqual(_74, vec2(0.0));
+        bvec2 _253 = lessThan(_73, parameters.gOutputSize.xy);
+        ivec2 _254 = ivec2(_74);
+        if (all(_252) && all(_253))
         {
-            float _112 = _104.w;
-            vec2 _120 = _81 - _82;
-            vec2 _121 = vec2(1.0) - _120;
-            float _122 = _121.x;
-            float _123 = _120.x;
-            vec4 _131 = vec4(lessThanEqual(abs(_93), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _134 = abs(vec4(((_112 > 0.0) && (_112 < min(parameters.gSkyDepth, 65504.0))) ? _112 : 65504.0) - _98);
-            bvec4 _141 = greaterThan(_131 * vec4(lessThanEqual(abs(_134), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _142 = mix(vec4(0.0), (vec4(_122, _123, _122, _123) * vec4(_121.yy, _120.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _134), _141);
-            vec4 _144 = mix(vec4(0.0), _142, greaterThan(_142, vec4(0.0)));
-            float _145 = dot(_144, vec4(1.0));
-            vec4 _146 = mix(vec4(1.9999999360571384930131252153835e+38), _134, _141);
-            vec4 _156 = mix(vec4(0.0), _131, lessThanEqual(_146, vec4(min(min(_146.x, _146.y), min(_146.z, _146.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_78)), vec4(dot(mix(vec4(0.0), _93, greaterThan(_131, vec4(0.5))), mix(_156 / vec4(max(dot(_156, vec4(1.0)), 1.0)), _144 / vec4(_145), bvec4((_145 >= 1.0000000031710768509710513471353e-30) && (_145 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _254, _164);
+            imageStore(gOutUpsampled, _254 + ivec2(1, 0), _193);
+            imageStore(gOutUpsampled, _254 + ivec2(0, 1), _222);
+            imageStore(gOutUpsampled, _254 + ivec2(1), _251);
+            break;
         }
-        bool _174 = _106.x;
-        if (_174 && _108)
+        bool _267 = _252.x;
+        bool _268 = _252.y;
+        if (_267 && _268)
         {
-            vec2 _178 = _69 + vec2(0.5, -0.5);
-            float _179 = _104.z;
-            vec2 _187 = fma(_178, vec2(0.5), vec2(-0.5));
-            vec2 _189 = _187 - floor(_187);
-            vec2 _190 = vec2(1.0) - _189;
-            float _191 = _190.x;
-            float _192 = _189.x;
-            vec4 _200 = vec4(lessThanEqual(abs(_93), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _203 = abs(vec4(((_179 > 0.0) && (_179 < min(parameters.gSkyDepth, 65504.0))) ? _179 : 65504.0) - _98);
-            bvec4 _210 = greaterThan(_200 * vec4(lessThanEqual(abs(_203), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _211 = mix(vec4(0.0), (vec4(_191, _192, _191, _192) * vec4(_190.yy, _189.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _203), _210);
-            vec4 _213 = mix(vec4(0.0), _211, greaterThan(_211, vec4(0.0)));
-            float _214 = dot(_213, vec4(1.0));
-            vec4 _215 = mix(vec4(1.9999999360571384930131252153835e+38), _203, _210);
-            vec4 _225 = mix(vec4(0.0), _200, lessThanEqual(_215, vec4(min(min(_215.x, _215.y), min(_215.z, _215.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_178)), vec4(dot(mix(vec4(0.0), _93, greaterThan(_200, vec4(0.5))), mix(_225 / vec4(max(dot(_225, vec4(1.0)), 1.0)), _213 / vec4(_214), bvec4((_214 >= 1.0000000031710768509710513471353e-30) && (_214 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _254, _164);
         }
-        bool _243 = _106.y;
-        if (_107 && _243)
+        bool _273 = _253.x;
+        if (_273 && _268)
         {
-            vec2 _247 = _69 + vec2(-0.5, 0.5);
-            float _248 = _104.x;
-            vec2 _256 = fma(_247, vec2(0.5), vec2(-0.5));
-            vec2 _258 = _256 - floor(_256);
-            vec2 _259 = vec2(1.0) - _258;
-            float _260 = _259.x;
-            float _261 = _258.x;
-            vec4 _269 = vec4(lessThanEqual(abs(_93), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _272 = abs(vec4(((_248 > 0.0) && (_248 < min(parameters.gSkyDepth, 65504.0))) ? _248 : 65504.0) - _98);
-            bvec4 _279 = greaterThan(_269 * vec4(lessThanEqual(abs(_272), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _280 = mix(vec4(0.0), (vec4(_260, _261, _260, _261) * vec4(_259.yy, _258.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _272), _279);
-            vec4 _282 = mix(vec4(0.0), _280, greaterThan(_280, vec4(0.0)));
-            float _283 = dot(_282, vec4(1.0));
-            vec4 _284 = mix(vec4(1.9999999360571384930131252153835e+38), _272, _279);
-            vec4 _294 = mix(vec4(0.0), _269, lessThanEqual(_284, vec4(min(min(_284.x, _284.y), min(_284.z, _284.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_247)), vec4(dot(mix(vec4(0.0), _93, greaterThan(_269, vec4(0.5))), mix(_294 / vec4(max(dot(_294, vec4(1.0)), 1.0)), _282 / vec4(_283), bvec4((_283 >= 1.0000000031710768509710513471353e-30) && (_283 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _254 + ivec2(1, 0), _193);
         }
-        if (_174 && _243)
+        bool _279 = _253.y;
+        if (_267 && _279)
         {
-            vec2 _315 = _69 + vec2(0.5);
-            float _316 = _104.y;
-            vec2 _324 = fma(_315, vec2(0.5), vec2(-0.5));
-            vec2 _326 = _324 - floor(_324);
-            vec2 _327 = vec2(1.0) - _326;
-            float _328 = _327.x;
-            float _329 = _326.x;
-            vec4 _337 = vec4(lessThanEqual(abs(_93), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _340 = abs(vec4(((_316 > 0.0) && (_316 < min(parameters.gSkyDepth, 65504.0))) ? _316 : 65504.0) - _98);
-            bvec4 _347 = greaterThan(_337 * vec4(lessThanEqual(abs(_340), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _348 = mix(vec4(0.0), (vec4(_328, _329, _328, _329) * vec4(_327.yy, _326.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _340), _347);
-            vec4 _350 = mix(vec4(0.0), _348, greaterThan(_348, vec4(0.0)));
-            float _351 = dot(_350, vec4(1.0));
-            vec4 _352 = mix(vec4(1.9999999360571384930131252153835e+38), _340, _347);
-            vec4 _362 = mix(vec4(0.0), _337, lessThanEqual(_352, vec4(min(min(_352.x, _352.y), min(_352.z, _352.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_315)), vec4(dot(mix(vec4(0.0), _93, greaterThan(_337, vec4(0.5))), mix(_362 / vec4(max(dot(_362, vec4(1.0)), 1.0)), _350 / vec4(_351), bvec4((_351 >= 1.0000000031710768509710513471353e-30) && (_351 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _254 + ivec2(0, 1), _222);
+        }
+        if (_273 && _279)
+        {
+            imageStore(gOutUpsampled, _254 + ivec2(1), _251);
         }
         break;
     } while(false);

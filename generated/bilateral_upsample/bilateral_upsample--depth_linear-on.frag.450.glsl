@@ -17,25 +17,28 @@ layout(location = 0) out vec4 gOutUpsampled;
 
 void main()
 {
-    vec2 _56 = fma(gl_FragCoord.xy, vec2(0.5), vec2(-0.5));
-    vec2 _57 = floor(_56);
-    vec2 _58 = _56 - _57;
-    vec2 _59 = vec2(1.0) - _58;
-    float _60 = _59.x;
-    float _61 = _58.x;
-    vec2 _73 = (_57 + vec2(1.0)) * parameters.gCoarseSize.zw;
-    vec4 _76 = textureGather(gInFiltered, _73).wzxy;
-    vec4 _79 = mix(vec4(1.9999999360571384930131252153835e+38), _76, lessThanEqual(abs(_76), vec4(65504.0)));
-    vec4 _92 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
-    float _93 = _92.x;
-    vec4 _103 = vec4(lessThanEqual(abs(_79), vec4(9.9999996802856924650656260769173e+37)));
-    vec4 _106 = abs(vec4(((_93 > 0.0) && (_93 < min(parameters.gSkyDepth, 65504.0))) ? _93 : 65504.0) - textureGather(gInCoarseDepth, _73).wzxy);
-    bvec4 _113 = greaterThan(_103 * vec4(lessThanEqual(abs(_106), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-    vec4 _114 = mix(vec4(0.0), (vec4(_60, _61, _60, _61) * vec4(_59.yy, _58.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _106), _113);
-    vec4 _116 = mix(vec4(0.0), _114, greaterThan(_114, vec4(0.0)));
-    float _117 = dot(_116, vec4(1.0));
-    vec4 _118 = mix(vec4(1.9999999360571384930131252153835e+38), _106, _113);
-    vec4 _128 = mix(vec4(0.0), _103, lessThanEqual(_118, vec4(min(min(_118.x, _118.y), min(_118.z, _118.w)))));
-    gOutUpsampled = vec4(dot(mix(vec4(0.0), _79, greaterThan(_103, vec4(0.5))), mix(_128 / vec4(max(dot(_128, vec4(1.0)), 1.0)), _116 / vec4(_117), bvec4((_117 >= 1.0000000031710768509710513471353e-30) && (_117 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0);
+    vec2 _51 = fma(gl_FragCoord.xy, vec2(0.5), vec2(-0.5));
+    vec2 _52 = floor(_51);
+    vec2 _53 = _51 - _52;
+    vec2 _54 = vec2(1.0) - _53;
+    float _55 = _54.x;
+    float _56 = _53.x;
+    vec2 _68 = (_52 + vec2(1.0)) * parameters.gCoarseSize.zw;
+    vec4 _70 = textureGather(gInFiltered, _68);
+    float _71 = _70.w;
+    float _72 = _70.z;
+    float _73 = _70.x;
+    float _74 = _70.y;
+    float _77 = float(abs(_71) <= 65504.0);
+    float _82 = float(abs(_72) <= 65504.0);
+    float _87 = float(abs(_73) <= 65504.0);
+    float _92 = float(abs(_74) <= 65504.0);
+    vec4 _100 = textureGather(gInCoarseDepth, _68).wzxy;
+    vec4 _111 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
+    float _112 = _111.x;
+    vec4 _123 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4(((_112 > 0.0) && (_112 < min(parameters.gSkyDepth, 65504.0))) ? _112 : 65504.0) - mix(vec4(65504.0), min(_100, vec4(65504.0)), greaterThan(_100, vec4(0.0))));
+    vec4 _130 = ((((vec4(_55, _56, _55, _56) * vec4(_54.yy, _53.yy)) * vec4(_77, _82, _87, _92)) * _123.yxxx) * _123.zzyy) * _123.wwwz;
+    vec4 _134 = _130 * (1.0 / max(dot(_130, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+    gOutUpsampled = vec4(fma(_134.w, (_92 > 0.5) ? _74 : 0.0, fma(_134.z, (_87 > 0.5) ? _73 : 0.0, fma(_134.x, (_77 > 0.5) ? _71 : 0.0, _134.y * ((_82 > 0.5) ? _72 : 0.0)))), 0.0, 0.0, 0.0);
 }
 

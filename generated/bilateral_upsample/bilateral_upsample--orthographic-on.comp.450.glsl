@@ -19,103 +19,85 @@ void main()
 {
     do
     {
-        vec2 _71 = vec2(gl_GlobalInvocationID.xy) * 2.0;
-        vec2 _72 = _71 - vec2(1.0);
-        if (any(greaterThanEqual(_72, parameters.gOutputSize.xy)))
+        vec2 _75 = vec2(gl_GlobalInvocationID.xy) * 2.0;
+        vec2 _76 = _75 - vec2(1.0);
+        if (any(greaterThanEqual(_76, parameters.gOutputSize.xy)))
         {
             break;
         }
-        vec2 _80 = _71 + vec2(-0.5);
-        vec2 _83 = fma(_80, vec2(0.5), vec2(-0.5));
-        vec2 _84 = floor(_83);
-        vec2 _89 = (_84 + vec2(1.0)) * parameters.gCoarseSize.zw;
-        vec4 _92 = textureGather(gInFiltered, _89).wzxy;
-        vec4 _95 = mix(vec4(1.9999999360571384930131252153835e+38), _92, lessThanEqual(abs(_92), vec4(65504.0)));
-        vec4 _100 = textureGather(gInCoarseDepth, _89).wzxy;
-        vec4 _106 = textureGather(gInDepth, _71 * parameters.gOutputSize.zw);
-        bvec2 _107 = greaterThanEqual(_72, vec2(0.0));
-        bvec2 _108 = lessThan(_71, parameters.gOutputSize.xy);
-        bool _109 = _107.x;
-        bool _110 = _107.y;
-        if (_109 && _110)
+        vec2 _93 = (floor(fma(_75 + vec2(-0.5), vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw;
+        vec4 _95 = textureGather(gInFiltered, _93);
+        float _96 = _95.w;
+        float _97 = _95.z;
+        float _98 = _95.x;
+        float _99 = _95.y;
+        float _102 = float(abs(_96) <= 65504.0);
+        float _104 = (_102 > 0.5) ? _96 : 0.0;
+        float _107 = float(abs(_97) <= 65504.0);
+        float _109 = (_107 > 0.5) ? _97 : 0.0;
+        float _112 = float(abs(_98) <= 65504.0);
+        float _114 = (_112 > 0.5) ? _98 : 0.0;
+        float _117 = float(abs(_99) <= 65504.0);
+        vec4 _118 = vec4(_102, _107, _112, _117);
+        float _120 = (_117 > 0.5) ? _99 : 0.0;
+        vec4 _125 = textureGather(gInCoarseDepth, _93).wzxy;
+        vec4 _128 = mix(vec4(65504.0), min(_125, vec4(65504.0)), greaterThan(_125, vec4(0.0)));
+        vec4 _134 = textureGather(gInDepth, _75 * parameters.gOutputSize.zw);
+        float _135 = _134.w;
+        float _143 = fma(_135, parameters.gLinearDepth.x, parameters.gLinearDepth.y);
+        float _147 = min(parameters.gSkyDepth, 65504.0);
+        vec4 _155 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_135 - 0.5) <= 0.5) ? (((_143 > 0.0) && (_143 < _147)) ? _143 : 65504.0) : 65504.0) - _128);
+        vec4 _162 = (((vec4(0.5625, 0.1875, 0.1875, 0.0625) * _118) * _155.yxxx) * _155.zzyy) * _155.wwwz;
+        vec4 _166 = _162 * (1.0 / max(dot(_162, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _175 = vec4(fma(_166.w, _120, fma(_166.z, _114, fma(_166.x, _104, _166.y * _109))), 0.0, 0.0, 0.0);
+        float _176 = _134.z;
+        float _180 = fma(_176, parameters.gLinearDepth.x, parameters.gLinearDepth.y);
+        vec4 _189 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_176 - 0.5) <= 0.5) ? (((_180 > 0.0) && (_180 < _147)) ? _180 : 65504.0) : 65504.0) - _128);
+        vec4 _196 = (((vec4(0.1875, 0.5625, 0.0625, 0.1875) * _118) * _189.yxxx) * _189.zzyy) * _189.wwwz;
+        vec4 _200 = _196 * (1.0 / max(dot(_196, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _209 = vec4(fma(_200.w, _120, fma(_200.z, _114, fma(_200.x, _104, _200.y * _109))), 0.0, 0.0, 0.0);
+        float _210 = _134.x;
+        float _214 = fma(_210, parameters.gLinearDepth.x, parameters.gLinearDepth.y);
+        vec4 _223 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_210 - 0.5) <= 0.5) ? (((_214 > 0.0) && (_214 < _147)) ? _214 : 65504.0) : 65504.0) - _128);
+        vec4 _230 = (((vec4(0.1875, 0.0625, 0.5625, 0.1875) * _118) * _223.yxxx) * _223.zzyy) * _223.wwwz;
+        vec4 _234 = _230 * (1.0 / max(dot(_230, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _243 = vec4(fma(_234.w, _120, fma(_234.z, _114, fma(_234.x, _104, _234.y * _109))), 0.0, 0.0, 0.0);
+        float _244 = _134.y;
+        float _248 = fma(_244, parameters.gLinearDepth.x, parameters.gLinearDepth.y);
+        vec4 _257 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_244 - 0.5) <= 0.5) ? (((_248 > 0.0) && (_248 < _147)) ? _248 : 65504.0) : 65504.0) - _128);
+        vec4 _264 = (((vec4(0.0625, 0.1875, 0.1875, 0.5625) * _118) * _257.yxxx) * _257.zzyy) * _257.wwwz;
+        vec4 _268 = _264 * (1.0 / max(dot(_264, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _277 = vec4(fma(_268.w, _120, fma(_268.z, _114, fma(_268.x, _104, _268.y * _109))), 0.0, 0.0, 0.0);
+        bvec2 _278 = greaterThanEqual(_76, vec2(0.0));
+        bvec2 _279 = lessThan(_75, parameters.gOutputSize.xy);
+        ivec2 _280 = ivec2(_76);
+        if (all(_278) && all(_279))
         {
-            float _114 = _106.w;
-            float _122 = fma(_114, parameters.gLinearDepth.x, parameters.gLinearDepth.y);
-            vec2 _131 = _83 - _84;
-            vec2 _132 = vec2(1.0) - _131;
-            float _133 = _132.x;
-            float _134 = _131.x;
-            vec4 _142 = vec4(lessThanEqual(abs(_95), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _145 = abs(vec4((abs(_114 - 0.5) <= 0.5) ? (((_122 > 0.0) && (_122 < min(parameters.gSkyDepth, 65504.0))) ? _122 : 65504.0) : 65504.0) - _100);
-            bvec4 _152 = greaterThan(_142 * vec4(lessThanEqual(abs(_145), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _153 = mix(vec4(0.0), (vec4(_133, _134, _133, _134) * vec4(_132.yy, _131.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _145), _152);
-            vec4 _155 = mix(vec4(0.0), _153, greaterThan(_153, vec4(0.0)));
-            float _156 = dot(_155, vec4(1.0));
-            vec4 _157 = mix(vec4(1.9999999360571384930131252153835e+38), _145, _152);
-            vec4 _167 = mix(vec4(0.0), _142, lessThanEqual(_157, vec4(min(min(_157.x, _157.y), min(_157.z, _157.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_80)), vec4(dot(mix(vec4(0.0), _95, greaterThan(_142, vec4(0.5))), mix(_167 / vec4(max(dot(_167, vec4(1.0)), 1.0)), _155 / vec4(_156), bvec4((_156 >= 1.0000000031710768509710513471353e-30) && (_156 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _280, _175);
+            imageStore(gOutUpsampled, _280 + ivec2(1, 0), _209);
+            imageStore(gOutUpsampled, _280 + ivec2(0, 1), _243);
+            imageStore(gOutUpsampled, _280 + ivec2(1), _277);
+            break;
         }
-        bool _185 = _108.x;
-        if (_185 && _110)
+        bool _293 = _278.x;
+        bool _294 = _278.y;
+        if (_293 && _294)
         {
-            vec2 _189 = _71 + vec2(0.5, -0.5);
-            float _190 = _106.z;
-            float _198 = fma(_190, parameters.gLinearDepth.x, parameters.gLinearDepth.y);
-            vec2 _207 = fma(_189, vec2(0.5), vec2(-0.5));
-            vec2 _209 = _207 - floor(_207);
-            vec2 _210 = vec2(1.0) - _209;
-            float _211 = _210.x;
-            float _212 = _209.x;
-            vec4 _220 = vec4(lessThanEqual(abs(_95), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _223 = abs(vec4((abs(_190 - 0.5) <= 0.5) ? (((_198 > 0.0) && (_198 < min(parameters.gSkyDepth, 65504.0))) ? _198 : 65504.0) : 65504.0) - _100);
-            bvec4 _230 = greaterThan(_220 * vec4(lessThanEqual(abs(_223), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _231 = mix(vec4(0.0), (vec4(_211, _212, _211, _212) * vec4(_210.yy, _209.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _223), _230);
-            vec4 _233 = mix(vec4(0.0), _231, greaterThan(_231, vec4(0.0)));
-            float _234 = dot(_233, vec4(1.0));
-            vec4 _235 = mix(vec4(1.9999999360571384930131252153835e+38), _223, _230);
-            vec4 _245 = mix(vec4(0.0), _220, lessThanEqual(_235, vec4(min(min(_235.x, _235.y), min(_235.z, _235.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_189)), vec4(dot(mix(vec4(0.0), _95, greaterThan(_220, vec4(0.5))), mix(_245 / vec4(max(dot(_245, vec4(1.0)), 1.0)), _233 / vec4(_234), bvec4((_234 >= 1.0000000031710768509710513471353e-30) && (_234 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _280, _175);
         }
-        bool _263 = _108.y;
-        if (_109 && _263)
+        bool _299 = _279.x;
+        if (_299 && _294)
         {
-            vec2 _267 = _71 + vec2(-0.5, 0.5);
-            float _268 = _106.x;
-            float _276 = fma(_268, parameters.gLinearDepth.x, parameters.gLinearDepth.y);
-            vec2 _285 = fma(_267, vec2(0.5), vec2(-0.5));
-            vec2 _287 = _285 - floor(_285);
-            vec2 _288 = vec2(1.0) - _287;
-            float _289 = _288.x;
-            float _290 = _287.x;
-            vec4 _298 = vec4(lessThanEqual(abs(_95), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _301 = abs(vec4((abs(_268 - 0.5) <= 0.5) ? (((_276 > 0.0) && (_276 < min(parameters.gSkyDepth, 65504.0))) ? _276 : 65504.0) : 65504.0) - _100);
-            bvec4 _308 = greaterThan(_298 * vec4(lessThanEqual(abs(_301), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _309 = mix(vec4(0.0), (vec4(_289, _290, _289, _290) * vec4(_288.yy, _287.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _301), _308);
-            vec4 _311 = mix(vec4(0.0), _309, greaterThan(_309, vec4(0.0)));
-            float _312 = dot(_311, vec4(1.0));
-            vec4 _313 = mix(vec4(1.9999999360571384930131252153835e+38), _301, _308);
-            vec4 _323 = mix(vec4(0.0), _298, lessThanEqual(_313, vec4(min(min(_313.x, _313.y), min(_313.z, _313.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_267)), vec4(dot(mix(vec4(0.0), _95, greaterThan(_298, vec4(0.5))), mix(_323 / vec4(max(dot(_323, vec4(1.0)), 1.0)), _311 / vec4(_312), bvec4((_312 >= 1.0000000031710768509710513471353e-30) && (_312 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _280 + ivec2(1, 0), _209);
         }
-        if (_185 && _263)
+        bool _305 = _279.y;
+        if (_293 && _305)
         {
-            vec2 _344 = _71 + vec2(0.5);
-            float _345 = _106.y;
-            float _353 = fma(_345, parameters.gLinearDepth.x, parameters.gLinearDepth.y);
-            vec2 _362 = fma(_344, vec2(0.5), vec2(-0.5));
-            vec2 _364 = _362 - floor(_362);
-            vec2 _365 = vec2(1.0) - _364;
-            float _366 = _365.x;
-            float _367 = _364.x;
-            vec4 _375 = vec4(lessThanEqual(abs(_95), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _378 = abs(vec4((abs(_345 - 0.5) <= 0.5) ? (((_353 > 0.0) && (_353 < min(parameters.gSkyDepth, 65504.0))) ? _353 : 65504.0) : 65504.0) - _100);
-            bvec4 _385 = greaterThan(_375 * vec4(lessThanEqual(abs(_378), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _386 = mix(vec4(0.0), (vec4(_366, _367, _366, _367) * vec4(_365.yy, _364.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _378), _385);
-            vec4 _388 = mix(vec4(0.0), _386, greaterThan(_386, vec4(0.0)));
-            float _389 = dot(_388, vec4(1.0));
-            vec4 _390 = mix(vec4(1.9999999360571384930131252153835e+38), _378, _385);
-            vec4 _400 = mix(vec4(0.0), _375, lessThanEqual(_390, vec4(min(min(_390.x, _390.y), min(_390.z, _390.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_344)), vec4(dot(mix(vec4(0.0), _95, greaterThan(_375, vec4(0.5))), mix(_400 / vec4(max(dot(_400, vec4(1.0)), 1.0)), _388 / vec4(_389), bvec4((_389 >= 1.0000000031710768509710513471353e-30) && (_389 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _280 + ivec2(0, 1), _243);
+        }
+        if (_299 && _305)
+        {
+            imageStore(gOutUpsampled, _280 + ivec2(1), _277);
         }
         break;
     } while(false);

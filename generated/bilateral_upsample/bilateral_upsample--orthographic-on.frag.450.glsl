@@ -17,26 +17,29 @@ layout(location = 0) out vec4 gOutUpsampled;
 
 void main()
 {
-    vec2 _58 = fma(gl_FragCoord.xy, vec2(0.5), vec2(-0.5));
-    vec2 _59 = floor(_58);
-    vec2 _60 = _58 - _59;
-    vec2 _61 = vec2(1.0) - _60;
-    float _62 = _61.x;
-    float _63 = _60.x;
-    vec2 _75 = (_59 + vec2(1.0)) * parameters.gCoarseSize.zw;
-    vec4 _78 = textureGather(gInFiltered, _75).wzxy;
-    vec4 _81 = mix(vec4(1.9999999360571384930131252153835e+38), _78, lessThanEqual(abs(_78), vec4(65504.0)));
-    vec4 _94 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
-    float _95 = _94.x;
-    float _103 = fma(_95, parameters.gLinearDepth.x, parameters.gLinearDepth.y);
-    vec4 _114 = vec4(lessThanEqual(abs(_81), vec4(9.9999996802856924650656260769173e+37)));
-    vec4 _117 = abs(vec4((abs(_95 - 0.5) <= 0.5) ? (((_103 > 0.0) && (_103 < min(parameters.gSkyDepth, 65504.0))) ? _103 : 65504.0) : 65504.0) - textureGather(gInCoarseDepth, _75).wzxy);
-    bvec4 _124 = greaterThan(_114 * vec4(lessThanEqual(abs(_117), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-    vec4 _125 = mix(vec4(0.0), (vec4(_62, _63, _62, _63) * vec4(_61.yy, _60.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _117), _124);
-    vec4 _127 = mix(vec4(0.0), _125, greaterThan(_125, vec4(0.0)));
-    float _128 = dot(_127, vec4(1.0));
-    vec4 _129 = mix(vec4(1.9999999360571384930131252153835e+38), _117, _124);
-    vec4 _139 = mix(vec4(0.0), _114, lessThanEqual(_129, vec4(min(min(_129.x, _129.y), min(_129.z, _129.w)))));
-    gOutUpsampled = vec4(dot(mix(vec4(0.0), _81, greaterThan(_114, vec4(0.5))), mix(_139 / vec4(max(dot(_139, vec4(1.0)), 1.0)), _127 / vec4(_128), bvec4((_128 >= 1.0000000031710768509710513471353e-30) && (_128 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0);
+    vec2 _53 = fma(gl_FragCoord.xy, vec2(0.5), vec2(-0.5));
+    vec2 _54 = floor(_53);
+    vec2 _55 = _53 - _54;
+    vec2 _56 = vec2(1.0) - _55;
+    float _57 = _56.x;
+    float _58 = _55.x;
+    vec2 _70 = (_54 + vec2(1.0)) * parameters.gCoarseSize.zw;
+    vec4 _72 = textureGather(gInFiltered, _70);
+    float _73 = _72.w;
+    float _74 = _72.z;
+    float _75 = _72.x;
+    float _76 = _72.y;
+    float _79 = float(abs(_73) <= 65504.0);
+    float _84 = float(abs(_74) <= 65504.0);
+    float _89 = float(abs(_75) <= 65504.0);
+    float _94 = float(abs(_76) <= 65504.0);
+    vec4 _102 = textureGather(gInCoarseDepth, _70).wzxy;
+    vec4 _113 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
+    float _114 = _113.x;
+    float _122 = fma(_114, parameters.gLinearDepth.x, parameters.gLinearDepth.y);
+    vec4 _134 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_114 - 0.5) <= 0.5) ? (((_122 > 0.0) && (_122 < min(parameters.gSkyDepth, 65504.0))) ? _122 : 65504.0) : 65504.0) - mix(vec4(65504.0), min(_102, vec4(65504.0)), greaterThan(_102, vec4(0.0))));
+    vec4 _141 = ((((vec4(_57, _58, _57, _58) * vec4(_56.yy, _55.yy)) * vec4(_79, _84, _89, _94)) * _134.yxxx) * _134.zzyy) * _134.wwwz;
+    vec4 _145 = _141 * (1.0 / max(dot(_141, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+    gOutUpsampled = vec4(fma(_145.w, (_94 > 0.5) ? _76 : 0.0, fma(_145.z, (_89 > 0.5) ? _75 : 0.0, fma(_145.x, (_79 > 0.5) ? _73 : 0.0, _145.y * ((_84 > 0.5) ? _74 : 0.0)))), 0.0, 0.0, 0.0);
 }
 

@@ -19,103 +19,102 @@ void main()
 {
     do
     {
-        vec2 _75 = vec2(gl_GlobalInvocationID.xy) * 2.0;
-        if (any(greaterThanEqual(_75, parameters.gOutputSize.xy)))
+        vec2 _76 = vec2(gl_GlobalInvocationID.xy) * 2.0;
+        if (any(greaterThanEqual(_76, parameters.gOutputSize.xy)))
         {
             break;
         }
-        vec2 _83 = _75 + vec2(0.5);
-        vec2 _86 = fma(_83, vec2(0.25), vec2(-0.5));
-        vec2 _87 = floor(_86);
-        vec2 _92 = (_87 + vec2(1.0)) * parameters.gCoarseSize.zw;
-        vec4 _95 = textureGather(gInFiltered, _92).wzxy;
-        vec4 _98 = mix(vec4(1.9999999360571384930131252153835e+38), _95, lessThanEqual(abs(_95), vec4(65504.0)));
-        vec4 _103 = textureGather(gInCoarseDepth, _92).wzxy;
-        vec2 _106 = _75 + vec2(1.0);
-        vec4 _110 = textureGather(gInDepth, _106 * parameters.gOutputSize.zw);
-        bvec2 _111 = greaterThanEqual(_75, vec2(0.0));
-        bvec2 _112 = lessThan(_106, parameters.gOutputSize.xy);
-        bool _113 = _111.x;
-        bool _114 = _111.y;
-        if (_113 && _114)
+        vec2 _87 = fma(_76 + vec2(0.5), vec2(0.25), vec2(-0.5));
+        vec2 _93 = (floor(_87) + vec2(1.0)) * parameters.gCoarseSize.zw;
+        vec4 _95 = textureGather(gInFiltered, _93);
+        float _96 = _95.w;
+        float _97 = _95.z;
+        float _98 = _95.x;
+        float _99 = _95.y;
+        float _102 = float(abs(_96) <= 65504.0);
+        float _104 = (_102 > 0.5) ? _96 : 0.0;
+        float _107 = float(abs(_97) <= 65504.0);
+        float _109 = (_107 > 0.5) ? _97 : 0.0;
+        float _112 = float(abs(_98) <= 65504.0);
+        float _114 = (_112 > 0.5) ? _98 : 0.0;
+        float _117 = float(abs(_99) <= 65504.0);
+        vec4 _118 = vec4(_102, _107, _112, _117);
+        float _120 = (_117 > 0.5) ? _99 : 0.0;
+        vec4 _125 = textureGather(gInCoarseDepth, _93).wzxy;
+        vec4 _128 = mix(vec4(65504.0), min(_125, vec4(65504.0)), greaterThan(_125, vec4(0.0)));
+        vec2 _131 = _76 + vec2(1.0);
+        vec4 _135 = textureGather(gInDepth, _131 * parameters.gOutputSize.zw);
+        vec2 _136 = fract(_87);
+        vec2 _137 = vec2(1.0) - _136;
+        float _138 = _137.x;
+        float _139 = _136.x;
+        float _145 = _135.w;
+        float _155 = 1.0 / max(fma(_145, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        float _159 = min(parameters.gSkyDepth, 65504.0);
+        vec4 _167 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_145 - 0.5) <= 0.5) ? (((_155 > 0.0) && (_155 < _159)) ? _155 : 65504.0) : 65504.0) - _128);
+        vec4 _174 = ((((vec4(_138, _139, _138, _139) * vec4(_137.yy, _136.yy)) * _118) * _167.yxxx) * _167.zzyy) * _167.wwwz;
+        vec4 _178 = _174 * (1.0 / max(dot(_174, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _187 = vec4(fma(_178.w, _120, fma(_178.z, _114, fma(_178.x, _104, _178.y * _109))), 0.0, 0.0, 0.0);
+        vec2 _188 = _136 + vec2(0.25, 0.0);
+        vec2 _189 = vec2(0.75, 1.0) - _136;
+        float _190 = _189.x;
+        float _191 = _188.x;
+        float _197 = _135.z;
+        float _203 = 1.0 / max(fma(_197, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        vec4 _212 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_197 - 0.5) <= 0.5) ? (((_203 > 0.0) && (_203 < _159)) ? _203 : 65504.0) : 65504.0) - _128);
+        vec4 _219 = ((((vec4(_190, _191, _190, _191) * vec4(_189.yy, _188.yy)) * _118) * _212.yxxx) * _212.zzyy) * _212.wwwz;
+        vec4 _223 = _219 * (1.0 / max(dot(_219, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _232 = vec4(fma(_223.w, _120, fma(_223.z, _114, fma(_223.x, _104, _223.y * _109))), 0.0, 0.0, 0.0);
+        vec2 _233 = _136 + vec2(0.0, 0.25);
+        vec2 _234 = vec2(1.0, 0.75) - _136;
+        float _235 = _234.x;
+        float _236 = _233.x;
+        float _242 = _135.x;
+        float _248 = 1.0 / max(fma(_242, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        vec4 _257 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_242 - 0.5) <= 0.5) ? (((_248 > 0.0) && (_248 < _159)) ? _248 : 65504.0) : 65504.0) - _128);
+        vec4 _264 = ((((vec4(_235, _236, _235, _236) * vec4(_234.yy, _233.yy)) * _118) * _257.yxxx) * _257.zzyy) * _257.wwwz;
+        vec4 _268 = _264 * (1.0 / max(dot(_264, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _277 = vec4(fma(_268.w, _120, fma(_268.z, _114, fma(_268.x, _104, _268.y * _109))), 0.0, 0.0, 0.0);
+        vec2 _278 = _136 + vec2(0.25);
+        vec2 _279 = vec2(0.75) - _136;
+        float _280 = _279.x;
+        float _281 = _278.x;
+        float _287 = _135.y;
+        float _293 = 1.0 / max(fma(_287, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        vec4 _302 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_287 - 0.5) <= 0.5) ? (((_293 > 0.0) && (_293 < _159)) ? _293 : 65504.0) : 65504.0) - _128);
+        vec4 _309 = ((((vec4(_280, _281, _280, _281) * vec4(_279.yy, _278.yy)) * _118) * _302.yxxx) * _302.zzyy) * _302.wwwz;
+        vec4 _313 = _309 * (1.0 / max(dot(_309, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _322 = vec4(fma(_313.w, _120, fma(_313.z, _114, fma(_313.x, _104, _313.y * _109))), 0.0, 0.0, 0.0);
+        bvec2 _323 = greaterThanEqual(_76, vec2(0.0));
+        bvec2 _324 = lessThan(_131, parameters.gOutputSize.xy);
+        ivec2 _325 = ivec2(_76);
+        if (all(_323) && all(_324))
         {
-            float _118 = _110.w;
-            float _128 = 1.0 / max(fma(_118, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-            vec2 _137 = _86 - _87;
-            vec2 _138 = vec2(1.0) - _137;
-            float _139 = _138.x;
-            float _140 = _137.x;
-            vec4 _148 = vec4(lessThanEqual(abs(_98), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _151 = abs(vec4((abs(_118 - 0.5) <= 0.5) ? (((_128 > 0.0) && (_128 < min(parameters.gSkyDepth, 65504.0))) ? _128 : 65504.0) : 65504.0) - _103);
-            bvec4 _158 = greaterThan(_148 * vec4(lessThanEqual(abs(_151), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _159 = mix(vec4(0.0), (vec4(_139, _140, _139, _140) * vec4(_138.yy, _137.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _151), _158);
-            vec4 _161 = mix(vec4(0.0), _159, greaterThan(_159, vec4(0.0)));
-            float _162 = dot(_161, vec4(1.0));
-            vec4 _163 = mix(vec4(1.9999999360571384930131252153835e+38), _151, _158);
-            vec4 _173 = mix(vec4(0.0), _148, lessThanEqual(_163, vec4(min(min(_163.x, _163.y), min(_163.z, _163.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_83)), vec4(dot(mix(vec4(0.0), _98, greaterThan(_148, vec4(0.5))), mix(_173 / vec4(max(dot(_173, vec4(1.0)), 1.0)), _161 / vec4(_162), bvec4((_162 >= 1.0000000031710768509710513471353e-30) && (_162 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _325, _187);
+            imageStore(gOutUpsampled, _325 + ivec2(1, 0), _232);
+            imageStore(gOutUpsampled, _325 + ivec2(0, 1), _277);
+            imageStore(gOutUpsampled, _325 + ivec2(1), _322);
+            break;
         }
-        bool _191 = _112.x;
-        if (_191 && _114)
+        bool _338 = _323.x;
+        bool _339 = _323.y;
+        if (_338 && _339)
         {
-            vec2 _195 = _75 + vec2(1.5, 0.5);
-            float _196 = _110.z;
-            float _206 = 1.0 / max(fma(_196, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-            vec2 _215 = fma(_195, vec2(0.25), vec2(-0.5));
-            vec2 _217 = _215 - floor(_215);
-            vec2 _218 = vec2(1.0) - _217;
-            float _219 = _218.x;
-            float _220 = _217.x;
-            vec4 _228 = vec4(lessThanEqual(abs(_98), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _231 = abs(vec4((abs(_196 - 0.5) <= 0.5) ? (((_206 > 0.0) && (_206 < min(parameters.gSkyDepth, 65504.0))) ? _206 : 65504.0) : 65504.0) - _103);
-            bvec4 _238 = greaterThan(_228 * vec4(lessThanEqual(abs(_231), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _239 = mix(vec4(0.0), (vec4(_219, _220, _219, _220) * vec4(_218.yy, _217.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _231), _238);
-            vec4 _241 = mix(vec4(0.0), _239, greaterThan(_239, vec4(0.0)));
-            float _242 = dot(_241, vec4(1.0));
-            vec4 _243 = mix(vec4(1.9999999360571384930131252153835e+38), _231, _238);
-            vec4 _253 = mix(vec4(0.0), _228, lessThanEqual(_243, vec4(min(min(_243.x, _243.y), min(_243.z, _243.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_195)), vec4(dot(mix(vec4(0.0), _98, greaterThan(_228, vec4(0.5))), mix(_253 / vec4(max(dot(_253, vec4(1.0)), 1.0)), _241 / vec4(_242), bvec4((_242 >= 1.0000000031710768509710513471353e-30) && (_242 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _325, _187);
         }
-        bool _271 = _112.y;
-        if (_113 && _271)
+        bool _344 = _324.x;
+        if (_344 && _339)
         {
-            vec2 _275 = _75 + vec2(0.5, 1.5);
-            float _276 = _110.x;
-            float _286 = 1.0 / max(fma(_276, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-            vec2 _295 = fma(_275, vec2(0.25), vec2(-0.5));
-            vec2 _297 = _295 - floor(_295);
-            vec2 _298 = vec2(1.0) - _297;
-            float _299 = _298.x;
-            float _300 = _297.x;
-            vec4 _308 = vec4(lessThanEqual(abs(_98), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _311 = abs(vec4((abs(_276 - 0.5) <= 0.5) ? (((_286 > 0.0) && (_286 < min(parameters.gSkyDepth, 65504.0))) ? _286 : 65504.0) : 65504.0) - _103);
-            bvec4 _318 = greaterThan(_308 * vec4(lessThanEqual(abs(_311), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _319 = mix(vec4(0.0), (vec4(_299, _300, _299, _300) * vec4(_298.yy, _297.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _311), _318);
-            vec4 _321 = mix(vec4(0.0), _319, greaterThan(_319, vec4(0.0)));
-            float _322 = dot(_321, vec4(1.0));
-            vec4 _323 = mix(vec4(1.9999999360571384930131252153835e+38), _311, _318);
-            vec4 _333 = mix(vec4(0.0), _308, lessThanEqual(_323, vec4(min(min(_323.x, _323.y), min(_323.z, _323.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_275)), vec4(dot(mix(vec4(0.0), _98, greaterThan(_308, vec4(0.5))), mix(_333 / vec4(max(dot(_333, vec4(1.0)), 1.0)), _321 / vec4(_322), bvec4((_322 >= 1.0000000031710768509710513471353e-30) && (_322 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _325 + ivec2(1, 0), _232);
         }
-        if (_191 && _271)
+        bool _350 = _324.y;
+        if (_338 && _350)
         {
-            vec2 _354 = _75 + vec2(1.5);
-            float _355 = _110.y;
-            float _365 = 1.0 / max(fma(_355, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-            vec2 _374 = fma(_354, vec2(0.25), vec2(-0.5));
-            vec2 _376 = _374 - floor(_374);
-            vec2 _377 = vec2(1.0) - _376;
-            float _378 = _377.x;
-            float _379 = _376.x;
-            vec4 _387 = vec4(lessThanEqual(abs(_98), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _390 = abs(vec4((abs(_355 - 0.5) <= 0.5) ? (((_365 > 0.0) && (_365 < min(parameters.gSkyDepth, 65504.0))) ? _365 : 65504.0) : 65504.0) - _103);
-            bvec4 _397 = greaterThan(_387 * vec4(lessThanEqual(abs(_390), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _398 = mix(vec4(0.0), (vec4(_378, _379, _378, _379) * vec4(_377.yy, _376.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _390), _397);
-            vec4 _400 = mix(vec4(0.0), _398, greaterThan(_398, vec4(0.0)));
-            float _401 = dot(_400, vec4(1.0));
-            vec4 _402 = mix(vec4(1.9999999360571384930131252153835e+38), _390, _397);
-            vec4 _412 = mix(vec4(0.0), _387, lessThanEqual(_402, vec4(min(min(_402.x, _402.y), min(_402.z, _402.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_354)), vec4(dot(mix(vec4(0.0), _98, greaterThan(_387, vec4(0.5))), mix(_412 / vec4(max(dot(_412, vec4(1.0)), 1.0)), _400 / vec4(_401), bvec4((_401 >= 1.0000000031710768509710513471353e-30) && (_401 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _325 + ivec2(0, 1), _277);
+        }
+        if (_344 && _350)
+        {
+            imageStore(gOutUpsampled, _325 + ivec2(1), _322);
         }
         break;
     } while(false);

@@ -17,26 +17,29 @@ layout(location = 0) out vec4 gOutUpsampled;
 
 void main()
 {
-    vec2 _59 = fma(gl_FragCoord.xy, vec2(0.25), vec2(-0.5));
-    vec2 _60 = floor(_59);
-    vec2 _61 = _59 - _60;
-    vec2 _62 = vec2(1.0) - _61;
-    float _63 = _62.x;
-    float _64 = _61.x;
-    vec2 _76 = (_60 + vec2(1.0)) * parameters.gCoarseSize.zw;
-    vec4 _79 = textureGather(gInFiltered, _76).wzxy;
-    vec4 _82 = mix(vec4(1.9999999360571384930131252153835e+38), _79, lessThanEqual(abs(_79), vec4(65504.0)));
-    vec4 _95 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
-    float _96 = _95.x;
-    float _106 = 1.0 / max(fma(_96, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-    vec4 _117 = vec4(lessThanEqual(abs(_82), vec4(9.9999996802856924650656260769173e+37)));
-    vec4 _120 = abs(vec4((abs(_96 - 0.5) <= 0.5) ? (((_106 > 0.0) && (_106 < min(parameters.gSkyDepth, 65504.0))) ? _106 : 65504.0) : 65504.0) - textureGather(gInCoarseDepth, _76).wzxy);
-    bvec4 _127 = greaterThan(_117 * vec4(lessThanEqual(abs(_120), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-    vec4 _128 = mix(vec4(0.0), (vec4(_63, _64, _63, _64) * vec4(_62.yy, _61.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _120), _127);
-    vec4 _130 = mix(vec4(0.0), _128, greaterThan(_128, vec4(0.0)));
-    float _131 = dot(_130, vec4(1.0));
-    vec4 _132 = mix(vec4(1.9999999360571384930131252153835e+38), _120, _127);
-    vec4 _142 = mix(vec4(0.0), _117, lessThanEqual(_132, vec4(min(min(_132.x, _132.y), min(_132.z, _132.w)))));
-    gOutUpsampled = vec4(dot(mix(vec4(0.0), _82, greaterThan(_117, vec4(0.5))), mix(_142 / vec4(max(dot(_142, vec4(1.0)), 1.0)), _130 / vec4(_131), bvec4((_131 >= 1.0000000031710768509710513471353e-30) && (_131 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0);
+    vec2 _54 = fma(gl_FragCoord.xy, vec2(0.25), vec2(-0.5));
+    vec2 _55 = floor(_54);
+    vec2 _56 = _54 - _55;
+    vec2 _57 = vec2(1.0) - _56;
+    float _58 = _57.x;
+    float _59 = _56.x;
+    vec2 _71 = (_55 + vec2(1.0)) * parameters.gCoarseSize.zw;
+    vec4 _73 = textureGather(gInFiltered, _71);
+    float _74 = _73.w;
+    float _75 = _73.z;
+    float _76 = _73.x;
+    float _77 = _73.y;
+    float _80 = float(abs(_74) <= 65504.0);
+    float _85 = float(abs(_75) <= 65504.0);
+    float _90 = float(abs(_76) <= 65504.0);
+    float _95 = float(abs(_77) <= 65504.0);
+    vec4 _103 = textureGather(gInCoarseDepth, _71).wzxy;
+    vec4 _114 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
+    float _115 = _114.x;
+    float _125 = 1.0 / max(fma(_115, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+    vec4 _137 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_115 - 0.5) <= 0.5) ? (((_125 > 0.0) && (_125 < min(parameters.gSkyDepth, 65504.0))) ? _125 : 65504.0) : 65504.0) - mix(vec4(65504.0), min(_103, vec4(65504.0)), greaterThan(_103, vec4(0.0))));
+    vec4 _144 = ((((vec4(_58, _59, _58, _59) * vec4(_57.yy, _56.yy)) * vec4(_80, _85, _90, _95)) * _137.yxxx) * _137.zzyy) * _137.wwwz;
+    vec4 _148 = _144 * (1.0 / max(dot(_144, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+    gOutUpsampled = vec4(fma(_148.w, (_95 > 0.5) ? _77 : 0.0, fma(_148.z, (_90 > 0.5) ? _76 : 0.0, fma(_148.x, (_80 > 0.5) ? _74 : 0.0, _148.y * ((_85 > 0.5) ? _75 : 0.0)))), 0.0, 0.0, 0.0);
 }
 

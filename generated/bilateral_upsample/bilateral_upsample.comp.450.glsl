@@ -19,103 +19,85 @@ void main()
 {
     do
     {
-        vec2 _71 = vec2(gl_GlobalInvocationID.xy) * 2.0;
-        vec2 _72 = _71 - vec2(1.0);
-        if (any(greaterThanEqual(_72, parameters.gOutputSize.xy)))
+        vec2 _75 = vec2(gl_GlobalInvocationID.xy) * 2.0;
+        vec2 _76 = _75 - vec2(1.0);
+        if (any(greaterThanEqual(_76, parameters.gOutputSize.xy)))
         {
             break;
         }
-        vec2 _80 = _71 + vec2(-0.5);
-        vec2 _83 = fma(_80, vec2(0.5), vec2(-0.5));
-        vec2 _84 = floor(_83);
-        vec2 _89 = (_84 + vec2(1.0)) * parameters.gCoarseSize.zw;
-        vec4 _92 = textureGather(gInFiltered, _89).wzxy;
-        vec4 _95 = mix(vec4(1.9999999360571384930131252153835e+38), _92, lessThanEqual(abs(_92), vec4(65504.0)));
-        vec4 _100 = textureGather(gInCoarseDepth, _89).wzxy;
-        vec4 _106 = textureGather(gInDepth, _71 * parameters.gOutputSize.zw);
-        bvec2 _107 = greaterThanEqual(_72, vec2(0.0));
-        bvec2 _108 = lessThan(_71, parameters.gOutputSize.xy);
-        bool _109 = _107.x;
-        bool _110 = _107.y;
-        if (_109 && _110)
+        vec2 _93 = (floor(fma(_75 + vec2(-0.5), vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw;
+        vec4 _95 = textureGather(gInFiltered, _93);
+        float _96 = _95.w;
+        float _97 = _95.z;
+        float _98 = _95.x;
+        float _99 = _95.y;
+        float _102 = float(abs(_96) <= 65504.0);
+        float _104 = (_102 > 0.5) ? _96 : 0.0;
+        float _107 = float(abs(_97) <= 65504.0);
+        float _109 = (_107 > 0.5) ? _97 : 0.0;
+        float _112 = float(abs(_98) <= 65504.0);
+        float _114 = (_112 > 0.5) ? _98 : 0.0;
+        float _117 = float(abs(_99) <= 65504.0);
+        vec4 _118 = vec4(_102, _107, _112, _117);
+        float _120 = (_117 > 0.5) ? _99 : 0.0;
+        vec4 _125 = textureGather(gInCoarseDepth, _93).wzxy;
+        vec4 _128 = mix(vec4(65504.0), min(_125, vec4(65504.0)), greaterThan(_125, vec4(0.0)));
+        vec4 _134 = textureGather(gInDepth, _75 * parameters.gOutputSize.zw);
+        float _135 = _134.w;
+        float _145 = 1.0 / max(fma(_135, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        float _149 = min(parameters.gSkyDepth, 65504.0);
+        vec4 _157 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_135 - 0.5) <= 0.5) ? (((_145 > 0.0) && (_145 < _149)) ? _145 : 65504.0) : 65504.0) - _128);
+        vec4 _164 = (((vec4(0.5625, 0.1875, 0.1875, 0.0625) * _118) * _157.yxxx) * _157.zzyy) * _157.wwwz;
+        vec4 _168 = _164 * (1.0 / max(dot(_164, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _177 = vec4(fma(_168.w, _120, fma(_168.z, _114, fma(_168.x, _104, _168.y * _109))), 0.0, 0.0, 0.0);
+        float _178 = _134.z;
+        float _184 = 1.0 / max(fma(_178, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        vec4 _193 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_178 - 0.5) <= 0.5) ? (((_184 > 0.0) && (_184 < _149)) ? _184 : 65504.0) : 65504.0) - _128);
+        vec4 _200 = (((vec4(0.1875, 0.5625, 0.0625, 0.1875) * _118) * _193.yxxx) * _193.zzyy) * _193.wwwz;
+        vec4 _204 = _200 * (1.0 / max(dot(_200, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _213 = vec4(fma(_204.w, _120, fma(_204.z, _114, fma(_204.x, _104, _204.y * _109))), 0.0, 0.0, 0.0);
+        float _214 = _134.x;
+        float _220 = 1.0 / max(fma(_214, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        vec4 _229 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_214 - 0.5) <= 0.5) ? (((_220 > 0.0) && (_220 < _149)) ? _220 : 65504.0) : 65504.0) - _128);
+        vec4 _236 = (((vec4(0.1875, 0.0625, 0.5625, 0.1875) * _118) * _229.yxxx) * _229.zzyy) * _229.wwwz;
+        vec4 _240 = _236 * (1.0 / max(dot(_236, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _249 = vec4(fma(_240.w, _120, fma(_240.z, _114, fma(_240.x, _104, _240.y * _109))), 0.0, 0.0, 0.0);
+        float _250 = _134.y;
+        float _256 = 1.0 / max(fma(_250, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        vec4 _265 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_250 - 0.5) <= 0.5) ? (((_256 > 0.0) && (_256 < _149)) ? _256 : 65504.0) : 65504.0) - _128);
+        vec4 _272 = (((vec4(0.0625, 0.1875, 0.1875, 0.5625) * _118) * _265.yxxx) * _265.zzyy) * _265.wwwz;
+        vec4 _276 = _272 * (1.0 / max(dot(_272, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _285 = vec4(fma(_276.w, _120, fma(_276.z, _114, fma(_276.x, _104, _276.y * _109))), 0.0, 0.0, 0.0);
+        bvec2 _286 = greaterThanEqual(_76, vec2(0.0));
+        bvec2 _287 = lessThan(_75, parameters.gOutputSize.xy);
+        ivec2 _288 = ivec2(_76);
+        if (all(_286) && all(_287))
         {
-            float _114 = _106.w;
-            float _124 = 1.0 / max(fma(_114, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-            vec2 _133 = _83 - _84;
-            vec2 _134 = vec2(1.0) - _133;
-            float _135 = _134.x;
-            float _136 = _133.x;
-            vec4 _144 = vec4(lessThanEqual(abs(_95), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _147 = abs(vec4((abs(_114 - 0.5) <= 0.5) ? (((_124 > 0.0) && (_124 < min(parameters.gSkyDepth, 65504.0))) ? _124 : 65504.0) : 65504.0) - _100);
-            bvec4 _154 = greaterThan(_144 * vec4(lessThanEqual(abs(_147), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _155 = mix(vec4(0.0), (vec4(_135, _136, _135, _136) * vec4(_134.yy, _133.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _147), _154);
-            vec4 _157 = mix(vec4(0.0), _155, greaterThan(_155, vec4(0.0)));
-            float _158 = dot(_157, vec4(1.0));
-            vec4 _159 = mix(vec4(1.9999999360571384930131252153835e+38), _147, _154);
-            vec4 _169 = mix(vec4(0.0), _144, lessThanEqual(_159, vec4(min(min(_159.x, _159.y), min(_159.z, _159.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_80)), vec4(dot(mix(vec4(0.0), _95, greaterThan(_144, vec4(0.5))), mix(_169 / vec4(max(dot(_169, vec4(1.0)), 1.0)), _157 / vec4(_158), bvec4((_158 >= 1.0000000031710768509710513471353e-30) && (_158 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _288, _177);
+            imageStore(gOutUpsampled, _288 + ivec2(1, 0), _213);
+            imageStore(gOutUpsampled, _288 + ivec2(0, 1), _249);
+            imageStore(gOutUpsampled, _288 + ivec2(1), _285);
+            break;
         }
-        bool _187 = _108.x;
-        if (_187 && _110)
+        bool _301 = _286.x;
+        bool _302 = _286.y;
+        if (_301 && _302)
         {
-            vec2 _191 = _71 + vec2(0.5, -0.5);
-            float _192 = _106.z;
-            float _202 = 1.0 / max(fma(_192, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-            vec2 _211 = fma(_191, vec2(0.5), vec2(-0.5));
-            vec2 _213 = _211 - floor(_211);
-            vec2 _214 = vec2(1.0) - _213;
-            float _215 = _214.x;
-            float _216 = _213.x;
-            vec4 _224 = vec4(lessThanEqual(abs(_95), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _227 = abs(vec4((abs(_192 - 0.5) <= 0.5) ? (((_202 > 0.0) && (_202 < min(parameters.gSkyDepth, 65504.0))) ? _202 : 65504.0) : 65504.0) - _100);
-            bvec4 _234 = greaterThan(_224 * vec4(lessThanEqual(abs(_227), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _235 = mix(vec4(0.0), (vec4(_215, _216, _215, _216) * vec4(_214.yy, _213.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _227), _234);
-            vec4 _237 = mix(vec4(0.0), _235, greaterThan(_235, vec4(0.0)));
-            float _238 = dot(_237, vec4(1.0));
-            vec4 _239 = mix(vec4(1.9999999360571384930131252153835e+38), _227, _234);
-            vec4 _249 = mix(vec4(0.0), _224, lessThanEqual(_239, vec4(min(min(_239.x, _239.y), min(_239.z, _239.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_191)), vec4(dot(mix(vec4(0.0), _95, greaterThan(_224, vec4(0.5))), mix(_249 / vec4(max(dot(_249, vec4(1.0)), 1.0)), _237 / vec4(_238), bvec4((_238 >= 1.0000000031710768509710513471353e-30) && (_238 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _288, _177);
         }
-        bool _267 = _108.y;
-        if (_109 && _267)
+        bool _307 = _287.x;
+        if (_307 && _302)
         {
-            vec2 _271 = _71 + vec2(-0.5, 0.5);
-            float _272 = _106.x;
-            float _282 = 1.0 / max(fma(_272, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-            vec2 _291 = fma(_271, vec2(0.5), vec2(-0.5));
-            vec2 _293 = _291 - floor(_291);
-            vec2 _294 = vec2(1.0) - _293;
-            float _295 = _294.x;
-            float _296 = _293.x;
-            vec4 _304 = vec4(lessThanEqual(abs(_95), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _307 = abs(vec4((abs(_272 - 0.5) <= 0.5) ? (((_282 > 0.0) && (_282 < min(parameters.gSkyDepth, 65504.0))) ? _282 : 65504.0) : 65504.0) - _100);
-            bvec4 _314 = greaterThan(_304 * vec4(lessThanEqual(abs(_307), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _315 = mix(vec4(0.0), (vec4(_295, _296, _295, _296) * vec4(_294.yy, _293.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _307), _314);
-            vec4 _317 = mix(vec4(0.0), _315, greaterThan(_315, vec4(0.0)));
-            float _318 = dot(_317, vec4(1.0));
-            vec4 _319 = mix(vec4(1.9999999360571384930131252153835e+38), _307, _314);
-            vec4 _329 = mix(vec4(0.0), _304, lessThanEqual(_319, vec4(min(min(_319.x, _319.y), min(_319.z, _319.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_271)), vec4(dot(mix(vec4(0.0), _95, greaterThan(_304, vec4(0.5))), mix(_329 / vec4(max(dot(_329, vec4(1.0)), 1.0)), _317 / vec4(_318), bvec4((_318 >= 1.0000000031710768509710513471353e-30) && (_318 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _288 + ivec2(1, 0), _213);
         }
-        if (_187 && _267)
+        bool _313 = _287.y;
+        if (_301 && _313)
         {
-            vec2 _350 = _71 + vec2(0.5);
-            float _351 = _106.y;
-            float _361 = 1.0 / max(fma(_351, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-            vec2 _370 = fma(_350, vec2(0.5), vec2(-0.5));
-            vec2 _372 = _370 - floor(_370);
-            vec2 _373 = vec2(1.0) - _372;
-            float _374 = _373.x;
-            float _375 = _372.x;
-            vec4 _383 = vec4(lessThanEqual(abs(_95), vec4(9.9999996802856924650656260769173e+37)));
-            vec4 _386 = abs(vec4((abs(_351 - 0.5) <= 0.5) ? (((_361 > 0.0) && (_361 < min(parameters.gSkyDepth, 65504.0))) ? _361 : 65504.0) : 65504.0) - _100);
-            bvec4 _393 = greaterThan(_383 * vec4(lessThanEqual(abs(_386), vec4(9.9999996802856924650656260769173e+37))), vec4(0.5));
-            vec4 _394 = mix(vec4(0.0), (vec4(_374, _375, _374, _375) * vec4(_373.yy, _372.yy)) / (vec4(9.9999997473787516355514526367188e-05) + _386), _393);
-            vec4 _396 = mix(vec4(0.0), _394, greaterThan(_394, vec4(0.0)));
-            float _397 = dot(_396, vec4(1.0));
-            vec4 _398 = mix(vec4(1.9999999360571384930131252153835e+38), _386, _393);
-            vec4 _408 = mix(vec4(0.0), _383, lessThanEqual(_398, vec4(min(min(_398.x, _398.y), min(_398.z, _398.w)))));
-            imageStore(gOutUpsampled, ivec2(uvec2(_350)), vec4(dot(mix(vec4(0.0), _95, greaterThan(_383, vec4(0.5))), mix(_408 / vec4(max(dot(_408, vec4(1.0)), 1.0)), _396 / vec4(_397), bvec4((_397 >= 1.0000000031710768509710513471353e-30) && (_397 <= 9.9999996802856924650656260769173e+37)))), 0.0, 0.0, 0.0));
+            imageStore(gOutUpsampled, _288 + ivec2(0, 1), _249);
+        }
+        if (_307 && _313)
+        {
+            imageStore(gOutUpsampled, _288 + ivec2(1), _285);
         }
         break;
     } while(false);

@@ -1,7 +1,5 @@
 #version 450
 
-float _77;
-
 layout(binding = 0, std140) uniform ReprojectionCacheParameters
 {
     mat4 gViewToPreviousClip;
@@ -19,59 +17,74 @@ layout(binding = 0, std140) uniform ReprojectionCacheParameters
 } parameters;
 
 layout(binding = 1) uniform sampler2D gInFresh;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
 
 layout(location = 0) out vec4 gOutCache;
+layout(location = 1) out vec4 gOutCacheState;
 
 void main()
 {
-    vec2 _84 = gl_FragCoord.xy * parameters.gOutputSize.zw;
-    vec4 _88 = textureLod(gInFresh, _84, 0.0);
-    float _89 = _88.y;
-    float _93 = ((_89 > 0.0) && (_89 < 65504.0)) ? _89 : 65504.0;
-    float _94 = _88.x;
-    vec2 _99 = mix(vec2(0.0), vec2(_94, 0.0), bvec2(abs(_94) <= 65504.0));
-    vec4 _111 = parameters.gViewToPreviousClip * vec4(fma(_84, parameters.gViewRay.xy, parameters.gViewRay.zw) * _93, _93, 1.0);
-    float _114 = _111.w;
-    vec2 _119 = fma(_111.xy * (1.0 / _114), vec2(0.5, -0.5), vec2(0.5));
-    vec2 _125 = mix(vec2(-8.0), _119, bvec2((_114 > 0.0) && all(lessThanEqual(abs(_119), vec2(8.0)))));
-    float _127 = dot(_111.zw, parameters.gClipToDepth);
-    vec2 _133 = _125 * parameters.gFrameToCoarse;
-    vec4 _137 = textureLod(gHistoryCacheFiltered, _133, 0.0);
-    float _138 = _137.x;
-    vec2 _143 = mix(vec2(1.9999999360571384930131252153835e+38), vec2(_138, 0.0), bvec2(abs(_138) <= 65504.0));
-    float _144 = _143.x;
-    float _146 = _137.z;
-    float _155 = max(fma(parameters.gMissThreshold.y, _93, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _161 = _155 - abs(((abs(_127) <= 9.9999996802856924650656260769173e+37) ? _127 : 0.0) - _137.w);
-    float _164 = (_161 > 0.0) ? (_161 * (parameters.gConvergenceTime / _155)) : 0.0;
-    float _180 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(abs(vec4(_144, _143.y, _146, _137.w).xy), vec2(65504.0)))) ? (((_164 > 0.0) && all(lessThanEqual(abs(fma(_125, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_164, 1.0) : 0.0) : 0.0;
-    vec4 _186 = textureGather(gInFresh, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -(parameters.gOutputSize.zw * 0.5)));
-    vec4 _189 = mix(vec4(0.0), _186, lessThanEqual(abs(_186), vec4(65504.0)));
-    vec4 _193 = textureGather(gInFresh, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, vec2(1.5, -0.5) * parameters.gOutputSize.zw));
-    vec4 _196 = mix(vec4(0.0), _193, lessThanEqual(abs(_193), vec4(65504.0)));
-    vec4 _200 = textureGather(gInFresh, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, vec2(-0.5, 1.5) * parameters.gOutputSize.zw));
-    vec4 _203 = mix(vec4(0.0), _200, lessThanEqual(abs(_200), vec4(65504.0)));
-    vec4 _207 = textureGather(gInFresh, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, parameters.gOutputSize.zw * 1.5));
-    vec4 _210 = mix(vec4(0.0), _207, lessThanEqual(abs(_207), vec4(65504.0)));
-    float _214 = dot(((_189 + _196) + _203) + _210, vec4(0.0625));
-    vec4 _215 = vec4(_214);
-    vec4 _216 = _189 - _215;
-    vec4 _217 = _196 - _215;
-    vec4 _218 = _203 - _215;
-    vec4 _219 = _210 - _215;
-    float _238 = (_180 > 0.0) ? (_180 * clamp(2.0 - (abs(_144 - _214) / max(fma(parameters.gChange.x, sqrt(dot(fma(_219, _219, fma(_218, _218, fma(_216, _216, _217 * _217))), vec4(0.0625))), parameters.gChange.y), 9.9999997473787516355514526367188e-05)), 0.0, 1.0)) : 0.0;
-    float _251 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-    float _253 = parameters.gSpeedPx.y - abs(length(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_133) * parameters.gOutputSize.xy));
-    float _257 = ((_253 > 0.0) ? min(_253, _251) : 0.0) / _251;
-    float _260 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _267 = (_146 > 0.0) ? min(_146, 255.0) : 0.0;
-    float _268 = _267 * _238;
-    float _271 = (_268 > 0.0) ? min(_268, 255.0) : 0.0;
-    float _275 = min(min(_271 / (_271 + 1.0), _260), ((_260 * _257) * _257) * fma(-2.0, _257, 3.0));
-    float _276 = _99.x;
-    bool _277 = _275 > 0.0;
-    float _279 = _277 ? min(_275, 1.0) : 0.0;
-    gOutCache = vec4(mix(_99, vec2((abs(_144) <= 9.9999996802856924650656260769173e+37) ? fma(_144, _279, _276 * (1.0 - _279)) : _276, _77), bvec2(_277)).x, 0.0, min(fma(_267, (_238 > 0.0) ? min(_238, 1.0) : 0.0, 1.0), 255.0), _93);
+    vec2 _87 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _91 = textureLod(gInFresh, _87, 0.0);
+    float _92 = _91.y;
+    float _93 = _91.x;
+    float _96 = (abs(_93) <= 65504.0) ? _93 : 0.0;
+    float _100 = ((_92 > 0.0) && (_92 < 65504.0)) ? _92 : 65504.0;
+    vec2 _101 = floor(gl_FragCoord.xy);
+    float _102 = _101.x;
+    vec4 _112 = vec4(lessThan(abs((vec4(_102) + vec4(-1.0, 0.0, 1.0, 2.0)) - vec4(fma(16.0, floor(_102 * 0.0625), 7.5))), vec4(8.0)));
+    float _113 = _101.y;
+    vec4 _123 = vec4(lessThan(abs((vec4(_113) + vec4(-1.0, 0.0, 1.0, 2.0)) - vec4(fma(16.0, floor(_113 * 0.0625), 7.5))), vec4(8.0)));
+    vec4 _126 = textureGather(gInFresh, _101 * parameters.gOutputSize.zw);
+    vec4 _129 = mix(vec4(0.0), _126, lessThanEqual(abs(_126), vec4(65504.0)));
+    vec4 _133 = textureGather(gInFresh, (_101 + vec2(2.0, 0.0)) * parameters.gOutputSize.zw);
+    vec4 _136 = mix(vec4(0.0), _133, lessThanEqual(abs(_133), vec4(65504.0)));
+    vec4 _140 = textureGather(gInFresh, (_101 + vec2(0.0, 2.0)) * parameters.gOutputSize.zw);
+    vec4 _143 = mix(vec4(0.0), _140, lessThanEqual(abs(_140), vec4(65504.0)));
+    vec4 _147 = textureGather(gInFresh, (_101 + vec2(2.0)) * parameters.gOutputSize.zw);
+    vec4 _150 = mix(vec4(0.0), _147, lessThanEqual(abs(_147), vec4(65504.0)));
+    vec4 _155 = vec4(_129.wz, _136.wz);
+    vec4 _160 = vec4(_129.xy, _136.xy);
+    vec4 _165 = vec4(_143.wz, _150.wz);
+    vec4 _170 = vec4(_143.xy, _150.xy);
+    float _171 = _123.x;
+    float _173 = _123.y;
+    float _176 = _123.z;
+    float _179 = _123.w;
+    float _185 = 1.0 / (dot(_112, vec4(1.0)) * dot(_123, vec4(1.0)));
+    float _186 = dot((((_155 * _171) + (_160 * _173)) + (_165 * _176)) + (_170 * _179), _112);
+    vec4 _188 = vec4(_186 * _185);
+    vec4 _189 = _155 - _188;
+    vec4 _192 = _160 - _188;
+    vec4 _196 = _165 - _188;
+    vec4 _200 = _170 - _188;
+    vec4 _218 = parameters.gViewToPreviousClip * vec4(fma(_87, parameters.gViewRay.xy, parameters.gViewRay.zw) * _100, _100, 1.0);
+    float _221 = _218.w;
+    vec2 _226 = fma(_218.xy * (1.0 / _221), vec2(0.5, -0.5), vec2(0.5));
+    vec2 _232 = mix(vec2(-8.0), _226, bvec2((_221 > 0.0) && all(lessThanEqual(abs(_226), vec2(8.0)))));
+    float _234 = dot(_218.zw, parameters.gClipToDepth);
+    vec2 _240 = _232 * parameters.gFrameToCoarse;
+    vec4 _244 = textureLod(gHistoryCacheStateFiltered, _240, 0.0);
+    vec4 _248 = textureLod(gHistoryCacheFiltered, _240, 0.0);
+    float _249 = _248.x;
+    float _251 = _244.x;
+    float _254 = (_251 > 0.0) ? min(_251, 255.0) : 0.0;
+    float _260 = max(fma(parameters.gMissThreshold.y, _100, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    float _266 = _260 - abs(((abs(_234) <= 9.9999996802856924650656260769173e+37) ? _234 : 0.0) - _248.y);
+    float _269 = (_266 > 0.0) ? (_266 * (parameters.gConvergenceTime / _260)) : 0.0;
+    float _281 = abs(_249);
+    float _284 = ((parameters.gHistoryValid > 0.5) && (_281 <= 65504.0)) ? (((_269 > 0.0) && all(lessThanEqual(abs(fma(_232, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_269, 1.0) : 0.0) : 0.0;
+    float _299 = (_284 > 0.0) ? (_284 * clamp(2.0 - (abs(fma(-_186, _185, _249)) / max(fma(parameters.gChange.x, sqrt(dot(((((_189 * _189) * _171) + ((_192 * _192) * _173)) + ((_196 * _196) * _176)) + ((_200 * _200) * _179), _112) * _185), parameters.gChange.y), 9.9999997473787516355514526367188e-05)), 0.0, 1.0)) : 0.0;
+    float _312 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _314 = parameters.gSpeedPx.y - abs(length(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_240) * parameters.gOutputSize.xy));
+    float _318 = ((_314 > 0.0) ? min(_314, _312) : 0.0) / _312;
+    float _321 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _326 = _254 * _299;
+    float _329 = (_326 > 0.0) ? min(_326, 255.0) : 0.0;
+    float _333 = min(min(_329 / (_329 + 1.0), _321), ((_321 * _318) * _318) * fma(-2.0, _318, 3.0));
+    float _336 = (abs(_96) <= 9.9999996802856924650656260769173e+37) ? _96 : 0.0;
+    gOutCache = vec4((_333 > 0.0) ? ((_281 <= 9.9999996802856924650656260769173e+37) ? fma(_249 - _336, clamp(_333, 0.0, 1.0), _336) : _336) : _96, _100, 0.0, 0.0);
+    gOutCacheState = vec4(min(fma((_254 > 0.0) ? min(_254, 255.0) : 0.0, (_299 > 0.0) ? min(_299, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0);
 }
 

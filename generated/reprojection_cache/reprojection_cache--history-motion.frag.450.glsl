@@ -1,7 +1,5 @@
 #version 450
 
-float _69;
-
 layout(binding = 0, std140) uniform ReprojectionCacheParameters
 {
     mat4 gViewToPreviousClip;
@@ -20,44 +18,45 @@ layout(binding = 0, std140) uniform ReprojectionCacheParameters
 
 layout(binding = 1) uniform sampler2D gInFresh;
 layout(binding = 2) uniform sampler2D gInVelocity;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
 
 layout(location = 0) out vec4 gOutCache;
+layout(location = 1) out vec4 gOutCacheState;
 
 void main()
 {
-    vec2 _76 = gl_FragCoord.xy * parameters.gOutputSize.zw;
-    vec4 _80 = textureLod(gInFresh, _76, 0.0);
-    float _81 = _80.y;
-    float _85 = ((_81 > 0.0) && (_81 < 65504.0)) ? _81 : 65504.0;
-    float _86 = _80.x;
-    vec2 _91 = mix(vec2(0.0), vec2(_86, 0.0), bvec2(abs(_86) <= 65504.0));
-    vec2 _94 = _76 / parameters.gFrameToCoarse;
-    float _110 = dot((parameters.gViewToPreviousClip * vec4(fma(_76, parameters.gViewRay.xy, parameters.gViewRay.zw) * _85, _85, 1.0)).zw, parameters.gClipToDepth);
-    float _113 = (abs(_110) <= 9.9999996802856924650656260769173e+37) ? _110 : 0.0;
-    vec2 _125 = fma(-textureLod(gInVelocity, _94 - ((parameters.gOutputSize.zw * 0.125) / parameters.gFrameToCoarse), 0.0).xy, parameters.gMotionToUv, _94);
-    vec2 _130 = mix(vec2(-8.0), _125, bvec2(all(lessThanEqual(abs(_125), vec2(8.0)))));
-    vec2 _134 = _130 * parameters.gFrameToCoarse;
-    vec4 _138 = textureLod(gHistoryCacheFiltered, _134, 0.0);
+    vec2 _74 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _78 = textureLod(gInFresh, _74, 0.0);
+    float _79 = _78.y;
+    float _80 = _78.x;
+    float _83 = (abs(_80) <= 65504.0) ? _80 : 0.0;
+    float _87 = ((_79 > 0.0) && (_79 < 65504.0)) ? _79 : 65504.0;
+    vec2 _90 = _74 / parameters.gFrameToCoarse;
+    float _106 = dot((parameters.gViewToPreviousClip * vec4(fma(_74, parameters.gViewRay.xy, parameters.gViewRay.zw) * _87, _87, 1.0)).zw, parameters.gClipToDepth);
+    float _109 = (abs(_106) <= 9.9999996802856924650656260769173e+37) ? _106 : 0.0;
+    vec2 _121 = fma(-textureLod(gInVelocity, _90 - ((parameters.gOutputSize.zw * 0.125) / parameters.gFrameToCoarse), 0.0).xy, parameters.gMotionToUv, _90);
+    vec2 _126 = mix(vec2(-8.0), _121, bvec2(all(lessThanEqual(abs(_121), vec2(8.0)))));
+    vec2 _130 = _126 * parameters.gFrameToCoarse;
+    vec4 _134 = textureLod(gHistoryCacheStateFiltered, _130, 0.0);
+    vec4 _138 = textureLod(gHistoryCacheFiltered, _130, 0.0);
     float _139 = _138.x;
-    vec2 _144 = mix(vec2(1.9999999360571384930131252153835e+38), vec2(_139, 0.0), bvec2(abs(_139) <= 65504.0));
-    float _145 = _144.x;
-    float _147 = _138.z;
-    float _156 = max(fma(parameters.gMissThreshold.y, _85, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _162 = _156 - abs(((abs(_113) <= 9.9999996802856924650656260769173e+37) ? _113 : 0.0) - _138.w);
-    float _165 = (_162 > 0.0) ? (_162 * (parameters.gConvergenceTime / _156)) : 0.0;
-    float _181 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(abs(vec4(_145, _144.y, _147, _138.w).xy), vec2(65504.0)))) ? (((_165 > 0.0) && all(lessThanEqual(abs(fma(_130, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_165, 1.0) : 0.0) : 0.0;
-    float _194 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-    float _196 = parameters.gSpeedPx.y - abs(length(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_134) * parameters.gOutputSize.xy));
-    float _200 = ((_196 > 0.0) ? min(_196, _194) : 0.0) / _194;
-    float _203 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _210 = (_147 > 0.0) ? min(_147, 255.0) : 0.0;
-    float _211 = _210 * _181;
-    float _214 = (_211 > 0.0) ? min(_211, 255.0) : 0.0;
-    float _218 = min(min(_214 / (_214 + 1.0), _203), ((_203 * _200) * _200) * fma(-2.0, _200, 3.0));
-    float _219 = _91.x;
-    bool _220 = _218 > 0.0;
-    float _222 = _220 ? min(_218, 1.0) : 0.0;
-    gOutCache = vec4(mix(_91, vec2((abs(_145) <= 9.9999996802856924650656260769173e+37) ? fma(_145, _222, _219 * (1.0 - _222)) : _219, _69), bvec2(_220)).x, 0.0, min(fma(_210, (_181 > 0.0) ? min(_181, 1.0) : 0.0, 1.0), 255.0), _85);
+    float _141 = _134.x;
+    float _144 = (_141 > 0.0) ? min(_141, 255.0) : 0.0;
+    float _150 = max(fma(parameters.gMissThreshold.y, _87, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    float _156 = _150 - abs(((abs(_109) <= 9.9999996802856924650656260769173e+37) ? _109 : 0.0) - _138.y);
+    float _159 = (_156 > 0.0) ? (_156 * (parameters.gConvergenceTime / _150)) : 0.0;
+    float _171 = abs(_139);
+    float _174 = ((parameters.gHistoryValid > 0.5) && (_171 <= 65504.0)) ? (((_159 > 0.0) && all(lessThanEqual(abs(fma(_126, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_159, 1.0) : 0.0) : 0.0;
+    float _187 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _189 = parameters.gSpeedPx.y - abs(length(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_130) * parameters.gOutputSize.xy));
+    float _193 = ((_189 > 0.0) ? min(_189, _187) : 0.0) / _187;
+    float _196 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _201 = _144 * _174;
+    float _204 = (_201 > 0.0) ? min(_201, 255.0) : 0.0;
+    float _208 = min(min(_204 / (_204 + 1.0), _196), ((_196 * _193) * _193) * fma(-2.0, _193, 3.0));
+    float _211 = (abs(_83) <= 9.9999996802856924650656260769173e+37) ? _83 : 0.0;
+    gOutCache = vec4((_208 > 0.0) ? ((_171 <= 9.9999996802856924650656260769173e+37) ? fma(_139 - _211, clamp(_208, 0.0, 1.0), _211) : _211) : _83, _87, 0.0, 0.0);
+    gOutCacheState = vec4(min(fma((_144 > 0.0) ? min(_144, 255.0) : 0.0, (_174 > 0.0) ? min(_174, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0);
 }
 

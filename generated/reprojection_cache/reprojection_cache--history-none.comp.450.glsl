@@ -18,6 +18,7 @@ layout(binding = 0, std140) uniform ReprojectionCacheParameters
 } parameters;
 
 layout(binding = 16) uniform writeonly image2D gOutCache;
+layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInFresh;
 
 void main()
@@ -28,10 +29,11 @@ void main()
         {
             break;
         }
-        vec4 _59 = textureLod(gInFresh, (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * parameters.gOutputSize.zw, 0.0);
-        float _60 = _59.y;
-        float _65 = _59.x;
-        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4(mix(vec2(0.0), vec2(_65, 0.0), bvec2(abs(_65) <= 65504.0)).x, 0.0, 1.0, ((_60 > 0.0) && (_60 < 65504.0)) ? _60 : 65504.0));
+        vec4 _60 = textureLod(gInFresh, (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * parameters.gOutputSize.zw, 0.0);
+        float _61 = _60.y;
+        float _62 = _60.x;
+        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((abs(_62) <= 65504.0) ? _62 : 0.0, ((_61 > 0.0) && (_61 < 65504.0)) ? _61 : 65504.0, 0.0, 0.0));
+        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(1.0, 0.0, 0.0, 0.0));
         break;
     } while(false);
 }

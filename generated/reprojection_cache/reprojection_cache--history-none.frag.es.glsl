@@ -21,14 +21,14 @@ layout(std140) uniform ReprojectionCacheParameters
 uniform highp sampler2D gInFresh;
 
 layout(location = 0) out vec4 gOutCache;
+layout(location = 1) out vec4 gOutCacheState;
 
 void main()
 {
     vec4 _42 = textureLod(gInFresh, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
     float _43 = _42.y;
-    float _48 = _42.x;
-    vec2 _51 = vec2(_48, 0.0);
-    bvec2 _52 = bvec2(abs(_48) <= 65504.0);
-    gOutCache = vec4(vec2(_52.x ? _51.x : vec2(0.0).x, _52.y ? _51.y : vec2(0.0).y).x, 0.0, 1.0, ((_43 > 0.0) && (_43 < 65504.0)) ? _43 : 65504.0);
+    float _44 = _42.x;
+    gOutCache = vec4((abs(_44) <= 65504.0) ? _44 : 0.0, ((_43 > 0.0) && (_43 < 65504.0)) ? _43 : 65504.0, 0.0, 0.0);
+    gOutCacheState = vec4(1.0, 0.0, 0.0, 0.0);
 }
 

@@ -1,8 +1,6 @@
 #version 450
 layout(local_size_x = 16, local_size_y = 16, local_size_z = 1) in;
 
-float _58;
-
 layout(binding = 0, std140) uniform ReprojectionCacheParameters
 {
     mat4 gViewToPreviousClip;
@@ -20,7 +18,9 @@ layout(binding = 0, std140) uniform ReprojectionCacheParameters
 } parameters;
 
 layout(binding = 16) uniform writeonly image2D gOutCache;
+layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInFresh;
+layout(binding = 5) uniform sampler2D gHistoryCacheState;
 layout(binding = 3) uniform sampler2D gHistoryCache;
 
 void main()
@@ -31,34 +31,33 @@ void main()
         {
             break;
         }
-        vec2 _73 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec2 _75 = _73 * parameters.gOutputSize.zw;
-        vec4 _79 = textureLod(gInFresh, _75, 0.0);
-        float _80 = _79.y;
-        float _84 = ((_80 > 0.0) && (_80 < 65504.0)) ? _80 : 65504.0;
-        float _85 = _79.x;
-        vec2 _90 = mix(vec2(0.0), vec2(_85, 0.0), bvec2(abs(_85) <= 65504.0));
-        vec4 _94 = textureLod(gHistoryCache, _75, 0.0);
+        vec2 _71 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+        vec2 _73 = _71 * parameters.gOutputSize.zw;
+        vec4 _77 = textureLod(gInFresh, _73, 0.0);
+        float _78 = _77.y;
+        float _79 = _77.x;
+        float _82 = (abs(_79) <= 65504.0) ? _79 : 0.0;
+        float _86 = ((_78 > 0.0) && (_78 < 65504.0)) ? _78 : 65504.0;
+        vec4 _90 = textureLod(gHistoryCacheState, _73, 0.0);
+        vec4 _94 = textureLod(gHistoryCache, _73, 0.0);
         float _95 = _94.x;
-        vec2 _100 = mix(vec2(1.9999999360571384930131252153835e+38), vec2(_95, 0.0), bvec2(abs(_95) <= 65504.0));
-        float _101 = _100.x;
-        float _103 = _94.z;
-        float _112 = max(fma(parameters.gMissThreshold.y, _84, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-        float _118 = _112 - abs(_84 - _94.w);
-        float _121 = (_118 > 0.0) ? (_118 * (parameters.gConvergenceTime / _112)) : 0.0;
-        float _137 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(abs(vec4(_101, _100.y, _103, _94.w).xy), vec2(65504.0)))) ? (((_121 > 0.0) && all(lessThanEqual(abs(fma(_73, parameters.gOutputSize.zw, vec2(-0.5))), vec2(0.5)))) ? min(_121, 1.0) : 0.0) : 0.0;
-        float _149 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-        float _151 = parameters.gSpeedPx.y - abs(length(fma(_73, parameters.gOutputSize.zw, -_75) * parameters.gOutputSize.xy));
-        float _155 = ((_151 > 0.0) ? min(_151, _149) : 0.0) / _149;
-        float _158 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-        float _165 = (_103 > 0.0) ? min(_103, 255.0) : 0.0;
-        float _166 = _165 * _137;
-        float _169 = (_166 > 0.0) ? min(_166, 255.0) : 0.0;
-        float _173 = min(min(_169 / (_169 + 1.0), _158), ((_158 * _155) * _155) * fma(-2.0, _155, 3.0));
-        float _174 = _90.x;
-        bool _175 = _173 > 0.0;
-        float _177 = _175 ? min(_173, 1.0) : 0.0;
-        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4(mix(_90, vec2((abs(_101) <= 9.9999996802856924650656260769173e+37) ? fma(_101, _177, _174 * (1.0 - _177)) : _174, _58), bvec2(_175)).x, 0.0, min(fma(_165, (_137 > 0.0) ? min(_137, 1.0) : 0.0, 1.0), 255.0), _84));
+        float _97 = _90.x;
+        float _100 = (_97 > 0.0) ? min(_97, 255.0) : 0.0;
+        float _106 = max(fma(parameters.gMissThreshold.y, _86, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+        float _112 = _106 - abs(_86 - _94.y);
+        float _115 = (_112 > 0.0) ? (_112 * (parameters.gConvergenceTime / _106)) : 0.0;
+        float _127 = abs(_95);
+        float _130 = ((parameters.gHistoryValid > 0.5) && (_127 <= 65504.0)) ? (((_115 > 0.0) && all(lessThanEqual(abs(fma(_71, parameters.gOutputSize.zw, vec2(-0.5))), vec2(0.5)))) ? min(_115, 1.0) : 0.0) : 0.0;
+        float _142 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+        float _144 = parameters.gSpeedPx.y - abs(length(fma(_71, parameters.gOutputSize.zw, -_73) * parameters.gOutputSize.xy));
+        float _148 = ((_144 > 0.0) ? min(_144, _142) : 0.0) / _142;
+        float _151 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+        float _156 = _100 * _130;
+        float _159 = (_156 > 0.0) ? min(_156, 255.0) : 0.0;
+        float _163 = min(min(_159 / (_159 + 1.0), _151), ((_151 * _148) * _148) * fma(-2.0, _148, 3.0));
+        float _166 = (abs(_82) <= 9.9999996802856924650656260769173e+37) ? _82 : 0.0;
+        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_163 > 0.0) ? ((_127 <= 9.9999996802856924650656260769173e+37) ? fma(_95 - _166, clamp(_163, 0.0, 1.0), _166) : _166) : _82, _86, 0.0, 0.0));
+        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_100 > 0.0) ? min(_100, 255.0) : 0.0, (_130 > 0.0) ? min(_130, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
         break;
     } while(false);
 }

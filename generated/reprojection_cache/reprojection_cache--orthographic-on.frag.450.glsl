@@ -1,7 +1,5 @@
 #version 450
 
-float _66;
-
 layout(binding = 0, std140) uniform ReprojectionCacheParameters
 {
     mat4 gViewToPreviousClip;
@@ -19,44 +17,45 @@ layout(binding = 0, std140) uniform ReprojectionCacheParameters
 } parameters;
 
 layout(binding = 1) uniform sampler2D gInFresh;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
 
 layout(location = 0) out vec4 gOutCache;
+layout(location = 1) out vec4 gOutCacheState;
 
 void main()
 {
-    vec2 _73 = gl_FragCoord.xy * parameters.gOutputSize.zw;
-    vec4 _77 = textureLod(gInFresh, _73, 0.0);
-    float _78 = _77.y;
-    float _82 = ((_78 > 0.0) && (_78 < 65504.0)) ? _78 : 65504.0;
-    float _83 = _77.x;
-    vec2 _88 = mix(vec2(0.0), vec2(_83, 0.0), bvec2(abs(_83) <= 65504.0));
-    vec4 _99 = parameters.gViewToPreviousClip * vec4(fma(_73, parameters.gViewRay.xy, parameters.gViewRay.zw), _82, 1.0);
-    float _102 = _99.w;
-    vec2 _107 = fma(_99.xy * (1.0 / _102), vec2(0.5, -0.5), vec2(0.5));
-    vec2 _113 = mix(vec2(-8.0), _107, bvec2((_102 > 0.0) && all(lessThanEqual(abs(_107), vec2(8.0)))));
-    float _115 = dot(_99.zw, parameters.gClipToDepth);
-    vec2 _121 = _113 * parameters.gFrameToCoarse;
-    vec4 _125 = textureLod(gHistoryCacheFiltered, _121, 0.0);
+    vec2 _71 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _75 = textureLod(gInFresh, _71, 0.0);
+    float _76 = _75.y;
+    float _77 = _75.x;
+    float _80 = (abs(_77) <= 65504.0) ? _77 : 0.0;
+    float _84 = ((_76 > 0.0) && (_76 < 65504.0)) ? _76 : 65504.0;
+    vec4 _95 = parameters.gViewToPreviousClip * vec4(fma(_71, parameters.gViewRay.xy, parameters.gViewRay.zw), _84, 1.0);
+    float _98 = _95.w;
+    vec2 _103 = fma(_95.xy * (1.0 / _98), vec2(0.5, -0.5), vec2(0.5));
+    vec2 _109 = mix(vec2(-8.0), _103, bvec2((_98 > 0.0) && all(lessThanEqual(abs(_103), vec2(8.0)))));
+    float _111 = dot(_95.zw, parameters.gClipToDepth);
+    vec2 _117 = _109 * parameters.gFrameToCoarse;
+    vec4 _121 = textureLod(gHistoryCacheStateFiltered, _117, 0.0);
+    vec4 _125 = textureLod(gHistoryCacheFiltered, _117, 0.0);
     float _126 = _125.x;
-    vec2 _131 = mix(vec2(1.9999999360571384930131252153835e+38), vec2(_126, 0.0), bvec2(abs(_126) <= 65504.0));
-    float _132 = _131.x;
-    float _134 = _125.z;
-    float _143 = max(fma(parameters.gMissThreshold.y, _82, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _149 = _143 - abs(((abs(_115) <= 9.9999996802856924650656260769173e+37) ? _115 : 0.0) - _125.w);
-    float _152 = (_149 > 0.0) ? (_149 * (parameters.gConvergenceTime / _143)) : 0.0;
-    float _168 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(abs(vec4(_132, _131.y, _134, _125.w).xy), vec2(65504.0)))) ? (((_152 > 0.0) && all(lessThanEqual(abs(fma(_113, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_152, 1.0) : 0.0) : 0.0;
-    float _181 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-    float _183 = parameters.gSpeedPx.y - abs(length(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_121) * parameters.gOutputSize.xy));
-    float _187 = ((_183 > 0.0) ? min(_183, _181) : 0.0) / _181;
-    float _190 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _197 = (_134 > 0.0) ? min(_134, 255.0) : 0.0;
-    float _198 = _197 * _168;
-    float _201 = (_198 > 0.0) ? min(_198, 255.0) : 0.0;
-    float _205 = min(min(_201 / (_201 + 1.0), _190), ((_190 * _187) * _187) * fma(-2.0, _187, 3.0));
-    float _206 = _88.x;
-    bool _207 = _205 > 0.0;
-    float _209 = _207 ? min(_205, 1.0) : 0.0;
-    gOutCache = vec4(mix(_88, vec2((abs(_132) <= 9.9999996802856924650656260769173e+37) ? fma(_132, _209, _206 * (1.0 - _209)) : _206, _66), bvec2(_207)).x, 0.0, min(fma(_197, (_168 > 0.0) ? min(_168, 1.0) : 0.0, 1.0), 255.0), _82);
+    float _128 = _121.x;
+    float _131 = (_128 > 0.0) ? min(_128, 255.0) : 0.0;
+    float _137 = max(fma(parameters.gMissThreshold.y, _84, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    float _143 = _137 - abs(((abs(_111) <= 9.9999996802856924650656260769173e+37) ? _111 : 0.0) - _125.y);
+    float _146 = (_143 > 0.0) ? (_143 * (parameters.gConvergenceTime / _137)) : 0.0;
+    float _158 = abs(_126);
+    float _161 = ((parameters.gHistoryValid > 0.5) && (_158 <= 65504.0)) ? (((_146 > 0.0) && all(lessThanEqual(abs(fma(_109, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_146, 1.0) : 0.0) : 0.0;
+    float _174 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _176 = parameters.gSpeedPx.y - abs(length(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_117) * parameters.gOutputSize.xy));
+    float _180 = ((_176 > 0.0) ? min(_176, _174) : 0.0) / _174;
+    float _183 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _188 = _131 * _161;
+    float _191 = (_188 > 0.0) ? min(_188, 255.0) : 0.0;
+    float _195 = min(min(_191 / (_191 + 1.0), _183), ((_183 * _180) * _180) * fma(-2.0, _180, 3.0));
+    float _198 = (abs(_80) <= 9.9999996802856924650656260769173e+37) ? _80 : 0.0;
+    gOutCache = vec4((_195 > 0.0) ? ((_158 <= 9.9999996802856924650656260769173e+37) ? fma(_126 - _198, clamp(_195, 0.0, 1.0), _198) : _198) : _80, _84, 0.0, 0.0);
+    gOutCacheState = vec4(min(fma((_131 > 0.0) ? min(_131, 255.0) : 0.0, (_161 > 0.0) ? min(_161, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0);
 }
 

@@ -2,8 +2,6 @@
 precision highp float;
 precision highp int;
 
-float _66;
-
 layout(std140) uniform ReprojectionCacheParameters
 {
     mat4 gViewToPreviousClip;
@@ -21,51 +19,46 @@ layout(std140) uniform ReprojectionCacheParameters
 } parameters;
 
 uniform highp sampler2D gInFresh;
+uniform highp sampler2D gHistoryCacheStateFiltered;
 uniform highp sampler2D gHistoryCacheFiltered;
 
 layout(location = 0) out vec4 gOutCache;
+layout(location = 1) out vec4 gOutCacheState;
 
 void main()
 {
-    vec2 _73 = gl_FragCoord.xy * parameters.gOutputSize.zw;
-    vec4 _77 = textureLod(gInFresh, _73, 0.0);
-    float _78 = _77.y;
-    float _82 = ((_78 > 0.0) && (_78 < 65504.0)) ? _78 : 65504.0;
-    float _83 = _77.x;
-    vec2 _86 = vec2(_83, 0.0);
-    bvec2 _87 = bvec2(abs(_83) <= 65504.0);
-    vec2 _88 = vec2(_87.x ? _86.x : vec2(0.0).x, _87.y ? _86.y : vec2(0.0).y);
-    vec4 _100 = parameters.gViewToPreviousClip * vec4((_73 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _82, _82, 1.0);
-    float _103 = _100.w;
-    vec2 _108 = (_100.xy * (1.0 / _103)) * vec2(0.5, -0.5) + vec2(0.5);
-    bvec2 _113 = bvec2((_103 > 0.0) && all(lessThanEqual(abs(_108), vec2(8.0))));
-    vec2 _114 = vec2(_113.x ? _108.x : vec2(-8.0).x, _113.y ? _108.y : vec2(-8.0).y);
-    float _116 = dot(_100.zw, parameters.gClipToDepth);
-    vec2 _122 = _114 * parameters.gFrameToCoarse;
-    vec4 _126 = textureLod(gHistoryCacheFiltered, _122, 0.0);
+    vec2 _71 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _75 = textureLod(gInFresh, _71, 0.0);
+    float _76 = _75.y;
+    float _77 = _75.x;
+    float _80 = (abs(_77) <= 65504.0) ? _77 : 0.0;
+    float _84 = ((_76 > 0.0) && (_76 < 65504.0)) ? _76 : 65504.0;
+    vec4 _96 = parameters.gViewToPreviousClip * vec4((_71 * parameters.gViewRay.xy + parameters.gViewRay.zw) * _84, _84, 1.0);
+    float _99 = _96.w;
+    vec2 _104 = (_96.xy * (1.0 / _99)) * vec2(0.5, -0.5) + vec2(0.5);
+    bvec2 _109 = bvec2((_99 > 0.0) && all(lessThanEqual(abs(_104), vec2(8.0))));
+    vec2 _110 = vec2(_109.x ? _104.x : vec2(-8.0).x, _109.y ? _104.y : vec2(-8.0).y);
+    float _112 = dot(_96.zw, parameters.gClipToDepth);
+    vec2 _118 = _110 * parameters.gFrameToCoarse;
+    vec4 _122 = textureLod(gHistoryCacheStateFiltered, _118, 0.0);
+    vec4 _126 = textureLod(gHistoryCacheFiltered, _118, 0.0);
     float _127 = _126.x;
-    vec2 _130 = vec2(_127, 0.0);
-    bvec2 _131 = bvec2(abs(_127) <= 65504.0);
-    vec2 _132 = vec2(_131.x ? _130.x : vec2(1.9999999360571384930131252153835e+38).x, _131.y ? _130.y : vec2(1.9999999360571384930131252153835e+38).y);
-    float _133 = _132.x;
-    float _135 = _126.z;
-    float _144 = max(parameters.gMissThreshold.y * _82 + parameters.gMissThreshold.x, 9.9999999747524270787835121154785e-07);
-    float _150 = _144 - abs(((abs(_116) <= 9.9999996802856924650656260769173e+37) ? _116 : 0.0) - _126.w);
-    float _153 = (_150 > 0.0) ? (_150 * (parameters.gConvergenceTime / _144)) : 0.0;
-    float _169 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(abs(vec4(_133, _132.y, _135, _126.w).xy), vec2(65504.0)))) ? (((_153 > 0.0) && all(lessThanEqual(abs(_114 * parameters.gFrameToCoarse + vec2(-0.5)), vec2(0.5)))) ? min(_153, 1.0) : 0.0) : 0.0;
-    float _182 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-    float _184 = parameters.gSpeedPx.y - abs(length((gl_FragCoord.xy * parameters.gOutputSize.zw + (-_122)) * parameters.gOutputSize.xy));
-    float _188 = ((_184 > 0.0) ? min(_184, _182) : 0.0) / _182;
-    float _191 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _198 = (_135 > 0.0) ? min(_135, 255.0) : 0.0;
-    float _199 = _198 * _169;
-    float _202 = (_199 > 0.0) ? min(_199, 255.0) : 0.0;
-    float _206 = min(min(_202 / (_202 + 1.0), _191), ((_191 * _188) * _188) * ((-2.0) * _188 + 3.0));
-    float _207 = _88.x;
-    bool _208 = _206 > 0.0;
-    float _210 = _208 ? min(_206, 1.0) : 0.0;
-    vec2 _217 = vec2((abs(_133) <= 9.9999996802856924650656260769173e+37) ? (_133 * _210 + (_207 * (1.0 - _210))) : _207, _66);
-    bvec2 _218 = bvec2(_208);
-    gOutCache = vec4(vec2(_218.x ? _217.x : _88.x, _218.y ? _217.y : _88.y).x, 0.0, min(_198 * ((_169 > 0.0) ? min(_169, 1.0) : 0.0) + 1.0, 255.0), _82);
+    float _129 = _122.x;
+    float _132 = (_129 > 0.0) ? min(_129, 255.0) : 0.0;
+    float _138 = max(parameters.gMissThreshold.y * _84 + parameters.gMissThreshold.x, 9.9999999747524270787835121154785e-07);
+    float _144 = _138 - abs(((abs(_112) <= 9.9999996802856924650656260769173e+37) ? _112 : 0.0) - _126.y);
+    float _147 = (_144 > 0.0) ? (_144 * (parameters.gConvergenceTime / _138)) : 0.0;
+    float _159 = abs(_127);
+    float _162 = ((parameters.gHistoryValid > 0.5) && (_159 <= 65504.0)) ? (((_147 > 0.0) && all(lessThanEqual(abs(_110 * parameters.gFrameToCoarse + vec2(-0.5)), vec2(0.5)))) ? min(_147, 1.0) : 0.0) : 0.0;
+    float _175 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _177 = parameters.gSpeedPx.y - abs(length((gl_FragCoord.xy * parameters.gOutputSize.zw + (-_118)) * parameters.gOutputSize.xy));
+    float _181 = ((_177 > 0.0) ? min(_177, _175) : 0.0) / _175;
+    float _184 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _189 = _132 * _162;
+    float _192 = (_189 > 0.0) ? min(_189, 255.0) : 0.0;
+    float _196 = min(min(_192 / (_192 + 1.0), _184), ((_184 * _181) * _181) * ((-2.0) * _181 + 3.0));
+    float _199 = (abs(_80) <= 9.9999996802856924650656260769173e+37) ? _80 : 0.0;
+    gOutCache = vec4((_196 > 0.0) ? ((_159 <= 9.9999996802856924650656260769173e+37) ? ((_127 - _199) * clamp(_196, 0.0, 1.0) + _199) : _199) : _80, _84, 0.0, 0.0);
+    gOutCacheState = vec4(min(((_132 > 0.0) ? min(_132, 255.0) : 0.0) * ((_162 > 0.0) ? min(_162, 1.0) : 0.0) + 1.0, 255.0), 0.0, 0.0, 0.0);
 }
 

@@ -2,21 +2,19 @@
 // A coarse value at full resolution, along the edges of the full depth. Drobot, "Bilateral Upsampling",
 // Listing 7.1 and figure 7.2 (D1), step 7 of the framework (D7).
 //
-// gInFiltered      RGBA16F, of which the first is read: the value. VALUES other than one: occlusion and
-//                  shadow packed in it, see occlusion_shadow_packing.hlsli
+// gInFiltered      values, of gOutFiltered or gOutCache; what they are by VALUES: cached_values.hlsli
 // gInCoarseDepth   R32F, metres, of depth_downsample: a binary16 is coarser than the depth weights are sharp
 // gInDepth         R32F or D32F, device depth in [0,1] (any depth kind), or metres with DEPTH_LINEAR
 // gInNormal        NORMAL_WEIGHTS: view space, unit, of the frame. A coarse texel has the normal of one of
 //                  its pixels, the same as ambient_occlusion takes
-// gOutUpsampled    RG16F: the value and 0, or occlusion and shadow
-// A coarse sample that is NaN or beyond MAX_COLOUR has no share; of four such 0 remains. A pixel whose depth
-// is none counts as sky.
+// gOutUpsampled    the value, both or all four; of a packed pair occlusion and shadow
+// A coarse sample that is NaN or beyond MAX_COLOUR has no share; of four such 0 remains. A depth that is none
+// counts as sky.
 
+#include "passes/cached_values.hlsli"
 #include "reprise/bilateral_upsampling.hlsli"
-#include "reprise/conventions.hlsli"
 #include "reprise/coordinates.hlsli"
 #include "reprise/depth.hlsli"
-#include "reprise/occlusion_shadow_packing.hlsli"
 #include "reprise/platform.hlsli"
 
 BINDING(0) cbuffer BilateralUpsampleParameters {
@@ -63,6 +61,16 @@ float4 readRed(TEXTURE_PARAMETER(coarse), CoarseFootprint footprint, float2 posi
 #endif
 }
 
+// What the four coarse texels of a footprint hold, which several pixels share. Values that are no numbers are
+// 0, and not usable.
+struct CoarseTexels {
+    CachedValues values[4];
+    float4 usable, depths;
+#if NORMAL_WEIGHTS
+    float3 normals[4];
+#endif
+};
+
 #if NORMAL_WEIGHTS
 // Of a coarse texel, by the UV of its centre, which lies on a corner of the frame's texels: an eighth of the
 // coarse one before it a texel is met for either ratio.
@@ -72,30 +80,26 @@ float3 readCoarseNormal(float2 coarseUv) {
 }
 #endif
 
-#if !VALUES_ONE
-// What is no number stays none.
-float2 unpackValues(float value) {
-#if VALUES_OCCLUSION_IN_INTEGER
-    return isNumber(value) ? unpackOcclusionInInteger(value) : value;
-#else
-    return isNumber(value) ? unpackShadowInInteger(value) : value;
-#endif
-}
-#endif
-
-// What the four coarse texels of a footprint hold, which several pixels share.
-struct CoarseTexels {
-    float4 values, depths;
-#if NORMAL_WEIGHTS
-    float3 normals[4];
-#endif
-};
-
 CoarseTexels readCoarse(CoarseFootprint footprint, float2 positionPx) {
     CoarseTexels coarse;
-    float4 values = readRed(TEXTURE_ARGUMENT(gInFiltered), footprint, positionPx);
-    coarse.values = abs(values) <= MAX_COLOUR ? values : 2.0 * LARGEST_NUMBER;   // no number, no share
-    coarse.depths = readRed(TEXTURE_ARGUMENT(gInCoarseDepth), footprint, positionPx);
+#if VALUES_ONE || VALUES_PACKED
+    float4 red = readRed(TEXTURE_ARGUMENT(gInFiltered), footprint, positionPx);
+    coarse.values[0] = unpackValues(red.xxxx);
+    coarse.values[1] = unpackValues(red.yyyy);
+    coarse.values[2] = unpackValues(red.zzzz);
+    coarse.values[3] = unpackValues(red.wwww);
+#else
+    coarse.values[0] = unpackValues(SAMPLE(gInFiltered, footprint.leftUp));
+    coarse.values[1] = unpackValues(SAMPLE(gInFiltered, footprint.rightUp));
+    coarse.values[2] = unpackValues(SAMPLE(gInFiltered, footprint.leftDown));
+    coarse.values[3] = unpackValues(SAMPLE(gInFiltered, footprint.rightDown));
+#endif
+    [unroll] for (int i = 0; i < 4; ++i) {
+        coarse.usable[i] = areCacheable(coarse.values[i]) ? 1.0 : 0.0;
+        coarse.values[i] = coarse.usable[i] > 0.5 ? coarse.values[i] : 0.0;
+    }
+    float4 depths = readRed(TEXTURE_ARGUMENT(gInCoarseDepth), footprint, positionPx);
+    coarse.depths = depths > 0.0 ? min(depths, SKY_DEPTH) : SKY_DEPTH;
 #if NORMAL_WEIGHTS
     coarse.normals[0] = readCoarseNormal(footprint.leftUp);
     coarse.normals[1] = readCoarseNormal(footprint.rightUp);
@@ -105,32 +109,30 @@ CoarseTexels readCoarse(CoarseFootprint footprint, float2 positionPx) {
     return coarse;
 }
 
-float2 upsampledValues(CoarseTexels coarse, float4 bilinearWeights, float2 positionPx, float depth) {
+// What gOutUpsampled takes.
+float4 upsampledValues(CoarseTexels coarse, float4 bilinearWeights, float2 positionPx, float depth) {
 #if NORMAL_WEIGHTS
     float3 normal = SAMPLE(gInNormal, pxToUv(positionPx, gOutputSize.zw)).xyz;
     float4 normalWeights = normalWeightsOf(coarse.normals[0], coarse.normals[1], coarse.normals[2],
                                            coarse.normals[3], normal, gContrast);
+    float4 shares = bilateralShares(bilinearWeights, normalWeights, coarse.depths, depth, coarse.usable);
 #else
-    float4 normalWeights = float4(1.0, 1.0, 1.0, 1.0);
+    float4 shares = bilateralSharesOfDepths(bilinearWeights, coarse.depths, depth, coarse.usable);
 #endif
-    float4 values = coarse.values;
-#if VALUES_ONE
-    return float2(bilateralUpsample(values, bilinearWeights, normalWeights, coarse.depths, depth), 0.0);
+    CachedValues values = shares.x * coarse.values[0] + shares.y * coarse.values[1] +
+                          shares.z * coarse.values[2] + shares.w * coarse.values[3];
+#if VALUES_FOUR
+    return values;
+#elif VALUES_ONE
+    return float4(values, 0.0, 0.0, 0.0);
 #else
-    return bilateralUpsample(unpackValues(values.x), unpackValues(values.y), unpackValues(values.z),
-                             unpackValues(values.w), bilinearWeights, normalWeights, coarse.depths, depth);
+    return float4(values, 0.0, 0.0);
 #endif
 }
 
 #if STAGE_COMPUTE
 
 BINDING(16) RWTexture2D<float4> gOutUpsampled;
-
-void storePixel(CoarseTexels coarse, float2 positionPx, float depth) {
-    CoarseFootprint footprint = coarseFootprint(positionPx, COARSE_TEXEL_PX, gCoarseSize.xy);
-    float2 values = upsampledValues(coarse, footprint.bilinearWeights, positionPx, depth);
-    gOutUpsampled[uint2(positionPx)] = float4(values, 0.0, 0.0);
-}
 
 // Four pixels between the centres of the same coarse texels: one gather for each of three images. Of a ratio
 // of 2 such pixels begin one before a multiple of two, so that groups cover a pixel more than the image has;
@@ -146,11 +148,31 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
     CoarseFootprint footprint = coarseFootprint(first + 1.0, COARSE_TEXEL_PX, gCoarseSize.xy);
     CoarseTexels coarse = readCoarse(footprint, first + 0.5);
     float4 depths = GATHER_RED(gInDepth, pxToUv(first + 1.0, gOutputSize.zw)).wzxy;
+    // How far right of the left coarse texel, and below the upper, the first pixel's centre lies.
+#if RATIO_4
+    float2 place = frac((first + 0.5) / COARSE_TEXEL_PX - 0.5);
+#else
+    float2 place = float2(0.25, 0.25);
+#endif
+    float4 values[4];
+    [unroll] for (int i = 0; i < 4; ++i) {
+        float2 pixel = float2(float(i % 2), float(i / 2));
+        float4 weights = bilinearWeightsAt(place + pixel / COARSE_TEXEL_PX);
+        values[i] = upsampledValues(coarse, weights, first + pixel + 0.5, linearDepth(depths[i]));
+    }
     bool2 low = first >= 0.0, high = first + 1.0 < gOutputSize.xy;
-    if (low.x && low.y) storePixel(coarse, first + 0.5, linearDepth(depths.x));
-    if (high.x && low.y) storePixel(coarse, first + float2(1.5, 0.5), linearDepth(depths.y));
-    if (low.x && high.y) storePixel(coarse, first + float2(0.5, 1.5), linearDepth(depths.z));
-    if (high.x && high.y) storePixel(coarse, first + 1.5, linearDepth(depths.w));
+    int2 pixel = int2(first);
+    if (all(low) && all(high)) {   // nearly everywhere: stores that wait for nothing
+        gOutUpsampled[pixel] = values[0];
+        gOutUpsampled[pixel + int2(1, 0)] = values[1];
+        gOutUpsampled[pixel + int2(0, 1)] = values[2];
+        gOutUpsampled[pixel + int2(1, 1)] = values[3];
+        return;
+    }
+    if (low.x && low.y) gOutUpsampled[pixel] = values[0];
+    if (high.x && low.y) gOutUpsampled[pixel + int2(1, 0)] = values[1];
+    if (low.x && high.y) gOutUpsampled[pixel + int2(0, 1)] = values[2];
+    if (high.x && high.y) gOutUpsampled[pixel + int2(1, 1)] = values[3];
 }
 
 #else
@@ -160,7 +182,7 @@ float4 mainFragment(float4 positionPx : POSITION_PX) : SV_Target0 {
     CoarseFootprint footprint = coarseFootprint(positionPx.xy, COARSE_TEXEL_PX, gCoarseSize.xy);
     CoarseTexels coarse = readCoarse(footprint, positionPx.xy);
     float depth = linearDepth(SAMPLE(gInDepth, pxToUv(positionPx.xy, gOutputSize.zw)).r);
-    return float4(upsampledValues(coarse, footprint.bilinearWeights, positionPx.xy, depth), 0.0, 0.0);
+    return upsampledValues(coarse, footprint.bilinearWeights, positionPx.xy, depth);
 }
 
 #endif

@@ -6,6 +6,8 @@
 // gInDepth        R32F or D32F, device depth in [0,1] (any depth kind), or metres with DEPTH_LINEAR
 // gOutCoarseDepth R32F, metres, in (0, SKY_DEPTH]; ceil(extent / RATIO) texels: of an odd size the last ones
 //                 reach beyond the image, whose edge texels are repeated there
+// gOutHalfDepth   HALF_DEPTH: the same in R16F, of which more fits into a cache; at most a 2048th nearer,
+//                 whichever way the device rounds, and a 1024th farther
 // What lies at gSkyDepth or beyond is SKY_DEPTH, and so is what is no depth: NaN, infinity, outside of [0,1],
 // or not in front of the camera.
 
@@ -119,21 +121,47 @@ float coarseDepth(float2 positionPx) {
     return depth > 0.0 && depth < min(gSkyDepth, SKY_DEPTH) ? depth : SKY_DEPTH;
 }
 
+#if HALF_DEPTH
+// Where a device truncates 16 bits, what is written lies up to a 1024th nearer: half of that is added.
+float halfDepthOf(float depth) {
+    return min(depth * (1.0 + 1.0 / 2048.0), SKY_DEPTH);
+}
+#endif
+
 #if STAGE_COMPUTE
 
 BINDING(16) RWTexture2D<float4> gOutCoarseDepth;
+#if HALF_DEPTH
+BINDING(17) RWTexture2D<float4> gOutHalfDepth;
+#endif
 
 [numthreads(16, 16, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
     if (any(thread.xy >= uint2(gOutputSize.xy))) return;
-    gOutCoarseDepth[thread.xy] = float4(coarseDepth(float2(thread.xy) + 0.5), 0.0, 0.0, 0.0);
+    float4 depth = float4(coarseDepth(float2(thread.xy) + 0.5), 0.0, 0.0, 0.0);
+    gOutCoarseDepth[thread.xy] = depth;
+#if HALF_DEPTH
+    gOutHalfDepth[thread.xy] = float4(halfDepthOf(depth.r), 0.0, 0.0, 0.0);
+#endif
 }
 
 #else
 
 // Four components, for shader model 3 takes no fewer.
-float4 mainFragment(float4 positionPx : POSITION_PX) : SV_Target0 {
-    return float4(coarseDepth(positionPx.xy), 0.0, 0.0, 0.0);
+struct Outputs {
+    float4 depth : SV_Target0;
+#if HALF_DEPTH
+    float4 halfDepth : SV_Target1;
+#endif
+};
+
+Outputs mainFragment(float4 positionPx : POSITION_PX) {
+    Outputs outputs;
+    outputs.depth = float4(coarseDepth(positionPx.xy), 0.0, 0.0, 0.0);
+#if HALF_DEPTH
+    outputs.halfDepth = float4(halfDepthOf(outputs.depth.r), 0.0, 0.0, 0.0);
+#endif
+    return outputs;
 }
 
 #endif

@@ -24,6 +24,12 @@ struct CoarseFootprint {
     float4 bilinearWeights;                        // in [0,1], sum 1
 };
 
+// right: how far right of the left texels, and below the upper ones, in coarse texels, [0,1].
+float4 bilinearWeightsAt(float2 right) {
+    float2 left = 1.0 - right;
+    return float4(left.x, right.x, left.x, right.x) * float4(left.y, left.y, right.y, right.y);
+}
+
 // positionPx: centre of the fine pixel, at halves. ratio: fine pixels per coarse texel along an axis, 2 or 4,
 // any from 1 on. coarseSize: in texels. The weights are bilinearWeights[texelNo] of the listing, for ratio 2
 // 9/16, 3/16, 3/16 and 1/16 turned by the place in the 2x2 tile (figure 7.2), for ratio 4 products of 1/8,
@@ -31,8 +37,6 @@ struct CoarseFootprint {
 CoarseFootprint coarseFootprint(float2 positionPx, float ratio, float2 coarseSize) {
     float2 positionTexels = positionPx / max(ratio, 1.0) - 0.5;   // whole at the centres of coarse texels
     float2 first = floor(positionTexels);
-    float2 right = positionTexels - first;
-    float2 left = 1.0 - right;
     float2 size = max(coarseSize, 1.0);
     float2 low = (clamp(first, 0.0, size - 1.0) + 0.5) / size;
     float2 high = (clamp(first + 1.0, 0.0, size - 1.0) + 0.5) / size;
@@ -42,8 +46,7 @@ CoarseFootprint coarseFootprint(float2 positionPx, float ratio, float2 coarseSiz
     footprint.rightUp = float2(high.x, low.y);
     footprint.leftDown = float2(low.x, high.y);
     footprint.rightDown = high;
-    footprint.bilinearWeights = float4(left.x, right.x, left.x, right.x) *
-                                float4(left.y, left.y, right.y, right.y);
+    footprint.bilinearWeights = bilinearWeightsAt(positionTexels - first);
     return footprint;
 }
 
@@ -84,6 +87,15 @@ float4 bilateralShares(float4 bilinearWeights, float4 normalWeights, float4 dept
 
     bool isWeighed = totalWeight >= MIN_TOTAL_WEIGHT && totalWeight <= LARGEST_NUMBER;
     return isWeighed ? weights / totalWeight : fallback / max(dot(fallback, 1.0), 1.0);
+}
+
+// The same by depth alone, of depths that are numbers in [0, SKY_DEPTH], and of weights above 0: nothing
+// underflows, and what is usable has a share. Over their common denominator the weights are products of the
+// others' denominators, with one division for five. usable: 1 or 0.
+float4 bilateralSharesOfDepths(float4 bilinearWeights, float4 depthLow, float depthHi, float4 usable) {
+    float4 denominators = DEPTH_WEIGHT_FLOOR + abs(depthHi - depthLow);
+    float4 weights = bilinearWeights * usable * denominators.yxxx * denominators.zzyy * denominators.wwwz;
+    return weights * (1.0 / max(dot(weights, 1.0), MIN_TOTAL_WEIGHT));
 }
 
 // upsampledResult of the listing. Of samples that are no numbers 0 remains, if there is no other.

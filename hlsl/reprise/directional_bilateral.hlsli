@@ -66,7 +66,7 @@ BilateralSum sumOfCentre(float3 centre) {
 // The mean, and the centre's depth carried on; 0 where no tap was usable. No depth is NaN or negative behind
 // this.
 float3 meanOfTaps(BilateralSum sum, float centreDepth) {
-    float2 mean = sum.weight > 1e-30 ? sum.values / sum.weight : float2(0.0, 0.0);
+    float2 mean = sum.weight > 1e-30 ? sum.values * (1.0 / sum.weight) : float2(0.0, 0.0);
     return float3(mean, bounded(centreDepth, 0.0, LARGEST_TAP));
 }
 

@@ -25,7 +25,7 @@ float packUnitPair(float whole, float part) {
 float2 unpackUnitPair(float packed) {
     float known = bounded(packed, 0.0, PACK_RANGE + PACK_FRACTION);
     float integer = floor(known);
-    float2 pair = float2(integer / PACK_RANGE, (known - integer) / PACK_FRACTION);
+    float2 pair = float2(integer * (1.0 / PACK_RANGE), (known - integer) * (1.0 / PACK_FRACTION));
     return min(pair, 1.0);
 }
 

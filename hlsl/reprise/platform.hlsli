@@ -6,7 +6,7 @@
 //   SAMPLE(gInColour, uv)           float4, mip level 0
 //   SAMPLE_OFFSET(gInColour, uv, texelSize, x, y)   the same, moved by whole texels, constants in [-8, 7]
 //   GATHER_RED(gInDepth, uv)        the four red values around uv: (0,1), (1,1), (1,0), (0,0); only where
-//                                   HAS_GATHER
+//                                   HAS_GATHER; also GATHER_GREEN, GATHER_BLUE and GATHER_ALPHA
 //   TEXTURE_PARAMETER(colour)       a texture as parameter of a function
 //   TEXTURE_ARGUMENT(gInColour)     the texture at the call
 //   PALETTE(gInJoints, Joint, 2)    structures that a vertex stage picks from by index, as binding 2
@@ -70,6 +70,9 @@
 #define HAS_GATHER 1
 #endif
 #define GATHER_RED(name, uv) name.GatherRed(name##_sampler, uv)
+#define GATHER_GREEN(name, uv) name.GatherGreen(name##_sampler, uv)
+#define GATHER_BLUE(name, uv) name.GatherBlue(name##_sampler, uv)
+#define GATHER_ALPHA(name, uv) name.GatherAlpha(name##_sampler, uv)
 #define PALETTE(name, type, slot) BINDING(slot) StructuredBuffer<type> name
 #define PALETTE_PARAMETER(name, type) StructuredBuffer<type> name
 

@@ -313,10 +313,10 @@ Result<PreparedPass> prepareFullscreen(const Recorder& recorder, size_t index, F
                                           frame.extent, frame.historyFrames, needs.engineWritesMotion));
     if (name == "camera_velocity")
         return prepare(cameraParameters(frame.input, frame.previous, frame.extent, needs.linearDepth));
-    const CacheFrame cache{frame.previous,          frame.extent,        recorder.plan.cache.ratio,
+    const CacheFrame cache{frame.previous,          frame.extent,        recorder.plan.cache,
                            frame.historyFrames > 0, needs.reversedDepth, needs.linearDepth,
                            needs.engineWritesMotion};
-    const auto parameters = cacheParameters(name, planned.run, frame.input, cache);
+    const auto parameters = cacheParameters(planned, frame.input, cache);
     if (!parameters) return parameters.error();
     return preparePass(recorder, index, arena, frame.input, *parameters);
 }

@@ -4,8 +4,10 @@
 #include "frame_parameters.hpp"
 
 #include "plan_images.hpp"
+#include "reprise/ambient_occlusion.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 
 namespace reprise {
@@ -27,15 +29,15 @@ glm::dvec4 sizeOf(VkExtent2D extent) {
 }
 
 VkExtent2D coarseExtent(const CacheFrame& frame) {
-    return {(frame.extent.width + frame.ratio - 1) / frame.ratio,
-            (frame.extent.height + frame.ratio - 1) / frame.ratio};
+    return {(frame.extent.width + frame.cache.ratio - 1) / frame.cache.ratio,
+            (frame.extent.height + frame.cache.ratio - 1) / frame.cache.ratio};
 }
 
 // UV over the frame to UV over the coarse image, whose last texels reach beyond a frame of odd size.
 glm::dvec2 frameToCoarse(const CacheFrame& frame) {
     const VkExtent2D coarse = coarseExtent(frame);
     return glm::dvec2(frame.extent.width, frame.extent.height) /
-           (double(frame.ratio) * glm::dvec2(coarse.width, coarse.height));
+           (double(frame.cache.ratio) * glm::dvec2(coarse.width, coarse.height));
 }
 
 glm::dvec4 coarseViewRay(const FrameInput& input, const CacheFrame& frame) {
@@ -64,20 +66,30 @@ DepthDownsampleParameters downsampleParameters(const FrameInput& input, const Ca
     return p;
 }
 
+// Of a pass without the switch 0.
+uint32_t samplesOf(const Variant& variant) {
+    const std::string_view text = switchValue(variant, "SAMPLES");
+    uint32_t samples = 0;
+    std::from_chars(text.data(), text.data() + text.size(), samples);
+    return samples;
+}
+
 // Whole and small: the patterns repeat after `subsets` frames, and so may the count.
 float patternFrame(const FrameInput& input) {
     return static_cast<float>(input.frameIndex % std::max(1u, input.cache.subsets));
 }
 
-AmbientOcclusionParameters occlusionParameters(const FrameInput& input, const CacheFrame& frame) {
+AmbientOcclusionParameters occlusionParameters(const FrameInput& input, const CacheFrame& frame,
+                                               uint32_t samples) {
     AmbientOcclusionParameters p{};
     store(p.gOutputSize, sizeOf(coarseExtent(frame)));
     store(p.gViewRay, coarseViewRay(input, frame));
     p.gRadius = input.cache.radius;
-    p.gFrameIndex = patternFrame(input);
-    p.gSubsetCount = static_cast<float>(input.cache.subsets);
-    store(p.gBias, input.cache.bias);
+    store(p.gOcclusionBias, input.cache.bias);
     store(p.gFrameToCoarse, frameToCoarse(frame));
+    const auto taps = occlusionTaps(samples, input.frameIndex, input.cache.subsets);
+    static_assert(sizeof(taps) == sizeof(p.gTaps));
+    std::memcpy(p.gTaps, taps.data(), sizeof(taps));
     return p;
 }
 
@@ -111,13 +123,60 @@ ReprojectionCacheParameters historyParameters(const FrameInput& input, const Cac
     return p;
 }
 
+template <class Field> void copy(Field& to, const Field& from) {
+    std::memcpy(&to, &from, sizeof(to));
+}
+
+// What the three passes have that it does the work of. Without cascades there are no shadows.
+Result<LightingCacheParameters> lightingCacheParameters(const FrameInput& input, const CacheFrame& frame,
+                                                        uint32_t samples) {
+    LightingCacheParameters p{};
+    if (!input.cascades.empty()) {
+        const auto shadow = shadowParameters(input, frame);
+        if (!shadow) return shadow.error();
+        copy(p.gToShadowX, shadow->gToShadowX);
+        copy(p.gToShadowY, shadow->gToShadowY);
+        copy(p.gToShadowZ, shadow->gToShadowZ);
+        copy(p.gCascadeScale1, shadow->gCascadeScale1);
+        copy(p.gCascadeOffset1, shadow->gCascadeOffset1);
+        copy(p.gCascadeScale2, shadow->gCascadeScale2);
+        copy(p.gCascadeOffset2, shadow->gCascadeOffset2);
+        copy(p.gCascadeScale3, shadow->gCascadeScale3);
+        copy(p.gCascadeOffset3, shadow->gCascadeOffset3);
+        copy(p.gCascadeFar, shadow->gCascadeFar);
+        copy(p.gCascadeSize, shadow->gCascadeSize);
+        copy(p.gDisc, shadow->gDisc);
+        copy(p.gShadowBias, shadow->gShadowBias);
+    }
+    const AmbientOcclusionParameters occlusion = occlusionParameters(input, frame, samples);
+    p.gRadius = occlusion.gRadius;
+    p.gFrameIndex = patternFrame(input);
+    p.gSubsetCount = static_cast<float>(input.cache.subsets);
+    copy(p.gOcclusionBias, occlusion.gOcclusionBias);
+    copy(p.gTaps, occlusion.gTaps);
+    const ReprojectionCacheParameters history = historyParameters(input, frame);
+    copy(p.gViewToPreviousClip, history.gViewToPreviousClip);
+    copy(p.gOutputSize, history.gOutputSize);
+    copy(p.gViewRay, history.gViewRay);
+    copy(p.gFrameToCoarse, history.gFrameToCoarse);
+    copy(p.gMotionToUv, history.gMotionToUv);
+    copy(p.gClipToDepth, history.gClipToDepth);
+    copy(p.gMissThreshold, history.gMissThreshold);
+    copy(p.gSpeedPx, history.gSpeedPx);
+    copy(p.gChange, history.gChange);
+    p.gConvergenceTime = history.gConvergenceTime;
+    p.gMaxWeight = history.gMaxWeight;
+    p.gHistoryValid = history.gHistoryValid;
+    return p;
+}
+
 BilateralFilterParameters filterParameters(std::string_view run, const FrameInput& input,
                                            const CacheFrame& frame) {
     const CacheTuning& tuning = input.cache;
     BilateralFilterParameters p{};
     store(p.gOutputSize, sizeOf(coarseExtent(frame)));
     store(p.gDirection,
-          tuning.filterStep * (run == "across" ? glm::vec2(1.0f, 0.0f) : glm::vec2(0.0f, 1.0f)));
+          frame.cache.filterStep * (run == "across" ? glm::vec2(1.0f, 0.0f) : glm::vec2(0.0f, 1.0f)));
     store(p.gDepthAmplitude, tuning.depthAmplitude);
     p.gConverged = tuning.converged;
     p.gMaxSmoothing = tuning.maxSmoothing;
@@ -183,10 +242,10 @@ ScalableObscuranceParameters obscuranceParameters(const FrameInput& input, const
 
 ObscuranceFilterParameters obscuranceFilterParameters(std::string_view run, const FrameInput& input,
                                                       const CacheFrame& frame) {
-    const float step = input.cache.filterStep;
     ObscuranceFilterParameters p{};
     store(p.gOutputSize, sizeOf(frame.extent));
-    store(p.gDirection, run == "across" ? glm::vec2(step, 0.0f) : glm::vec2(0.0f, step));
+    store(p.gDirection,
+          frame.cache.filterStep * (run == "across" ? glm::vec2(1.0f, 0.0f) : glm::vec2(0.0f, 1.0f)));
     store(p.gDepthRange, input.cache.obscurance.depthRange);
     p.gFarDepth = obscuranceFarDepth;
     return p;
@@ -199,12 +258,19 @@ template <class Parameters> std::vector<std::byte> bytesOf(const Parameters& par
 
 } // namespace
 
-Result<std::vector<std::byte>> cacheParameters(std::string_view pass, std::string_view run,
-                                               const FrameInput& input, const CacheFrame& frame) {
+Result<std::vector<std::byte>> cacheParameters(const PlannedPass& planned, const FrameInput& input,
+                                               const CacheFrame& frame) {
+    const std::string_view pass = planned.variant.pass->name, run = planned.run;
+    const uint32_t samples = samplesOf(planned.variant);
     if (pass == "depth_downsample") return bytesOf(downsampleParameters(input, frame));
-    if (pass == "ambient_occlusion") return bytesOf(occlusionParameters(input, frame));
+    if (pass == "ambient_occlusion") return bytesOf(occlusionParameters(input, frame, samples));
     if (pass == "sun_shadow") {
         auto parameters = shadowParameters(input, frame);
+        if (!parameters) return parameters.error();
+        return bytesOf(*parameters);
+    }
+    if (pass == lightingCachePass) {
+        auto parameters = lightingCacheParameters(input, frame, samples);
         if (!parameters) return parameters.error();
         return bytesOf(*parameters);
     }

@@ -20,12 +20,11 @@ TemporalAaParameters temporalParameters(const FrameInput& input, const TaaTuning
 struct CacheFrame {
     CameraFrame previous;
     VkExtent2D extent{}; // of the frame
-    uint32_t ratio = 2;
+    CacheSettings cache{}; // as planned
     bool historyValid = false, reversedDepth = false, linearDepth = false, engineMotion = false;
 };
-// The uniform buffer of a framework's pass, by its name; run: "across" or "down" of bilateral_filter.
-// Errors: those of sunShadowParameters().
-Result<std::vector<std::byte>> cacheParameters(std::string_view pass, std::string_view run,
-                                               const FrameInput& input, const CacheFrame& frame);
+// The uniform buffer of a framework's pass. Errors: those of sunShadowParameters().
+Result<std::vector<std::byte>> cacheParameters(const PlannedPass& planned, const FrameInput& input,
+                                               const CacheFrame& frame);
 
 } // namespace reprise

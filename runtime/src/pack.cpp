@@ -3,8 +3,8 @@
 #include "reprise/pack.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cctype>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -20,13 +20,17 @@ template <class Range> std::string listNames(const Range& items) {
     std::string text;
     for (const auto& item : items) {
         if (!text.empty()) text += ", ";
-        if constexpr (requires { item.name; }) text += item.name;
-        else text += item;
+        if constexpr (requires { item.name; })
+            text += item.name;
+        else
+            text += item;
     }
     return text.empty() ? "none" : text;
 }
 
-Error invalid(std::string message) { return {ErrorCode::invalidArgument, std::move(message)}; }
+Error invalid(std::string message) {
+    return {ErrorCode::invalidArgument, std::move(message)};
+}
 
 std::string lower(std::string_view text) {
     std::string result(text);
@@ -48,7 +52,8 @@ Result<std::vector<uint32_t>> readWords(const std::filesystem::path& file) {
     std::vector<uint32_t> words(bytes.size() / 4);
     std::memcpy(words.data(), bytes.data(), bytes.size());
     if (words[0] != spirvMagic)
-        return Error{ErrorCode::fileError, file.string() + " does not begin as SPIR-V does; generate it again"};
+        return Error{ErrorCode::fileError,
+                     file.string() + " does not begin as SPIR-V does; generate it again"};
     return words;
 }
 
@@ -59,7 +64,8 @@ Result<Variant> makeVariant(std::span<const PassInfo> passes, std::string_view p
     if (pass == passes.end())
         return invalid("there is no pass \"" + std::string(passName) + "\"; there are: " + listNames(passes));
     Variant variant{&*pass, {}};
-    for (const SwitchInfo& info : pass->switches) variant.values.push_back(info.defaultValue);
+    for (const SwitchInfo& info : pass->switches)
+        variant.values.push_back(info.defaultValue);
     return variant;
 }
 
@@ -101,11 +107,18 @@ bool exists(const Variant& variant, const ImageInfo& image) {
     });
 }
 
+std::string_view formatOf(const Variant& variant, const ImageInfo& image) {
+    for (const FormatChoice& choice : image.formatBy)
+        if (switchValue(variant, choice.when.switchName) == choice.when.value) return choice.format;
+    return image.format;
+}
+
 double scaleOf(const Variant& variant, const ImageInfo& image) {
     const std::string_view ratio = switchValue(variant, "RATIO");
     int divisor = 0;
     std::from_chars(ratio.data(), ratio.data() + ratio.size(), divisor);
-    return image.scale > 0.0f && image.scale < 1.0f && divisor > 0 ? 1.0 / divisor : static_cast<double>(image.scale);
+    return image.scale > 0.0f && image.scale < 1.0f && divisor > 0 ? 1.0 / divisor
+                                                                   : static_cast<double>(image.scale);
 }
 
 std::string variantName(const Variant& variant) {
@@ -125,7 +138,8 @@ Variant forStage(const Variant& variant, Stage stage) {
     if (!variant.pass) return result;
     for (size_t i = 0; i < variant.pass->switches.size(); ++i) {
         const SwitchInfo& info = variant.pass->switches[i];
-        const bool effective = info.stages.empty() || std::ranges::find(info.stages, stage) != info.stages.end();
+        const bool effective =
+            info.stages.empty() || std::ranges::find(info.stages, stage) != info.stages.end();
         result.values.push_back(effective ? valueAt(variant, i) : info.defaultValue);
     }
     return result;
@@ -133,9 +147,12 @@ Variant forStage(const Variant& variant, Stage stage) {
 
 std::string_view stageName(Stage stage) {
     switch (stage) {
-    case Stage::vertex: return "vert";
-    case Stage::fragment: return "frag";
-    case Stage::compute: return "comp";
+    case Stage::vertex:
+        return "vert";
+    case Stage::fragment:
+        return "frag";
+    case Stage::compute:
+        return "comp";
     }
     return "unknown";
 }
@@ -152,9 +169,9 @@ SpirvSource spirvFromDirectory(std::string directory) {
         std::error_code ignored;
         for (const auto& file : {root / name, root / std::string(variant.pass->name) / name})
             if (std::filesystem::is_regular_file(file, ignored)) return readWords(file);
-        return Error{ErrorCode::missingVariant,
-                     "there is no " + name + " in " + root.string() +
-                         "; compile it with reprisec --variant " + variantName(variant)};
+        return Error{ErrorCode::missingVariant, "there is no " + name + " in " + root.string() +
+                                                    "; compile it with reprisec --variant " +
+                                                    variantName(variant)};
     };
 }
 

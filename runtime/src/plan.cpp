@@ -28,14 +28,23 @@ std::string_view vetoOf(const PassInfo& pass, const SceneNeeds& needs, const Set
     if (pass.name == combinePass && !needs.combinesLighting)
         return "The engine puts its light together itself.";
     if (pass.name == upsamplePass && !cachesAnything(needs))
-        return "Neither occlusion nor shadows nor a value of the engine's is asked for.";
+        return "Neither occlusion nor shadows nor channels of the engine's are asked for.";
     if (pass.name == upsamplePass && settings.cache.ratio == 1)
         return "CacheSettings::ratio is 1: there is nothing to upsample.";
+    const bool merges = mergesCache(needs, settings);
+    if (pass.name == lightingCachePass && !merges)
+        return settings.stage != Stage::compute
+                   ? "In fragment shaders occlusion, shadow and cache are passes of "
+                     "their own."
+               : !settings.cache.merges ? "CacheSettings::merges is off."
+                                        : "There is no occlusion or shadow of this frame to be cached.";
     if (isOcclusion(pass.name)) {
         if (!needs.ambientOcclusion) return "Ambient occlusion is not asked for.";
         if (pass.name != settings.cache.occlusion) return "CacheSettings::occlusion is another pass.";
     }
     if (pass.name == "sun_shadow" && !needs.sunShadows) return "Sun shadows are not asked for.";
+    if (merges && (isOcclusion(pass.name) || pass.name == "sun_shadow" || pass.name == cachePass))
+        return "lighting_cache does it.";
     if (pass.name == cachePass && !settings.cache.history && !settings.cache.filter)
         return "CacheSettings::history and filter are off: what is computed is upsampled.";
     if (isFilter(pass.name) && !settings.cache.filter) return "CacheSettings::filter is off.";
@@ -144,26 +153,30 @@ Result<void> checkCache(const SceneNeeds& needs, const CacheSettings& cache) {
             ErrorCode::invalidArgument,
             "Occlusion and shadows share a cache below full resolution only, where upsampling unpacks "
             "them; at a ratio of 1 make a plan and a recorder for each."};
-    if (cache.packing != "occlusion_in_integer" && cache.packing != "shadow_in_integer")
+    if (cache.packing != "occlusion_in_integer" && cache.packing != "shadow_in_integer" &&
+        cache.packing != "two")
         return Error{ErrorCode::invalidArgument,
-                     "CacheSettings::packing is occlusion_in_integer or shadow_in_integer, not '" +
+                     "CacheSettings::packing is occlusion_in_integer, shadow_in_integer or two, not '" +
                          std::string(cache.packing) + "'."};
     if (!isOcclusion(cache.occlusion))
         return Error{ErrorCode::invalidArgument, "CacheSettings::occlusion is ambient_occlusion or "
                                                  "scalable_obscurance, not '" +
                                                      std::string(cache.occlusion) + "'."};
-    if (cache.occlusion == obscurancePass && (needs.sunShadows || needs.cachedValue))
+    if (cache.occlusion == obscurancePass && (needs.sunShadows || needs.cachedChannels > 0))
         return Error{
             ErrorCode::invalidArgument,
-            "scalable_obscurance shares no cache; make a plan and a recorder for shadows or a value."};
+            "scalable_obscurance shares no cache; make a plan and a recorder for shadows or channels."};
     if (needs.combinesLighting && !cachesAnything(needs))
         return Error{ErrorCode::invalidArgument,
                      "SceneNeeds::combinesLighting puts light together with a visibility; ask for "
-                     "ambientOcclusion, sunShadows or cachedValue too."};
-    if (needs.cachedValue && (needs.ambientOcclusion || needs.sunShadows))
+                     "ambientOcclusion, sunShadows or cachedChannels too."};
+    if (needs.cachedChannels > 0 && (needs.ambientOcclusion || needs.sunShadows))
         return Error{ErrorCode::invalidArgument,
-                     "A cache holds occlusion and shadows or a value of the engine's; make a plan and a "
+                     "A cache holds occlusion and shadows or channels of the engine's; make a plan and a "
                      "recorder for each."};
+    if (needs.cachedChannels > 4)
+        return Error{ErrorCode::invalidArgument, "SceneNeeds::cachedChannels is 0 to 4, not " +
+                                                     std::to_string(needs.cachedChannels) + "."};
     return {};
 }
 

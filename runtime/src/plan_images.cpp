@@ -48,7 +48,7 @@ int add(const Layout& layout, const ImageInfo& info, std::string name, std::stri
 }
 
 // What an earlier pass wrote, or else the engine's. Motion that neither gives is zero everywhere.
-int addInput(const Layout& layout, const ImageInfo& input, int pass) {
+int addInput(const Layout& layout, const Variant& variant, const ImageInfo& input, int pass) {
     std::string_view name = input.sameAs.empty() ? input.name : input.sameAs;
     int image = -1;
     for (const std::string& source : sourcesOf(name, layout.plan.cache))
@@ -59,7 +59,7 @@ int addInput(const Layout& layout, const ImageInfo& input, int pass) {
         // A value of the engine's that no step has touched is upsampled or combined as it is.
         const bool value = name == "gInFiltered" || name == "gInLighting";
         const std::string_view given = value ? "gInFresh" : name;
-        image = add(layout, input, std::string(zero ? velocityImage : given), input.format, pass);
+        image = add(layout, input, std::string(zero ? velocityImage : given), formatOf(variant, input), pass);
         at(layout.plan, image).external = !zero;
         at(layout.plan, image).cleared = zero;
     }
@@ -73,7 +73,8 @@ int addOutput(const Layout& layout, const PlannedPass& pass, const ImageInfo& ou
     int image = find(layout.plan, name);
     if (image < 0) {
         const bool chosen = info.name == temporalPass && !layout.colourFormat.empty();
-        image = add(layout, output, name, chosen ? layout.colourFormat : output.format, index);
+        image =
+            add(layout, output, name, chosen ? layout.colourFormat : formatOf(pass.variant, output), index);
         at(layout.plan, image).cleared = !info.fullscreen;
     }
     at(layout.plan, image).lastPass = index; // drawn over, if it was there before
@@ -89,7 +90,8 @@ void addPass(const Layout& layout, int index) {
     size_t read = 0;
     for (const ImageInfo& input : info.inputs) {
         if (!exists(pass.variant, input)) continue;
-        if (isImage(input) && !isHistory(input)) pass.readImages[read] = addInput(layout, input, index);
+        if (isImage(input) && !isHistory(input))
+            pass.readImages[read] = addInput(layout, pass.variant, input, index);
         ++read;
     }
     for (const ImageInfo& output : info.outputs)

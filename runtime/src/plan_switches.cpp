@@ -61,17 +61,27 @@ struct Choice {
 };
 
 // Switches of the framework's passes that the needs and the settings name the value of.
-std::vector<Choice> choicesFor(const SceneNeeds& needs, const CacheSettings& cache) {
+std::vector<Choice> choicesFor(const SceneNeeds& needs, const Settings& settings) {
+    const CacheSettings& cache = settings.cache;
     std::vector<Choice> choices{
         {"TEMPORAL", cache.history ? "on" : "off", {}},
         {"RATIO", std::to_string(cache.ratio), {}},
         {"SAMPLES", std::to_string(cache.samples), {}},
+        {"HALF_DEPTH", needs.ambientOcclusion && mergesCache(needs, settings) ? "on" : "off", {}},
+        {"STEP", cache.filterStep == 1.0f ? "one" : "any", {}},
         {"CASCADES", std::to_string(cache.cascades), {}},
         {"NORMALS", needs.normals ? "read" : "reconstructed", {}},
         {"CHANGE_DETECTION", cache.detectsChanges && cache.history ? "on" : "off", {}}};
     const bool both = needs.ambientOcclusion && needs.sunShadows;
-    if (both) choices.push_back({"VALUES", std::string(cache.packing), {}});
-    choices.push_back({"LIGHTING", both ? "both" : needs.sunShadows ? "shadow" : "occlusion", {}});
+    const uint32_t channels = needs.cachedChannels;
+    choices.push_back({"VALUES",
+                       both            ? std::string(cache.packing)
+                       : channels > 2  ? "four"
+                       : channels == 2 ? "two"
+                                       : "one",
+                       {}});
+    for (const std::string_view name : {"LIGHTING", "FRESH"})
+        choices.push_back({name, both ? "both" : needs.sunShadows ? "shadow" : "occlusion", {}});
     if (!cache.history)
         choices.push_back({"HISTORY", "none", "CacheSettings::history is off."});
     else if (needs.objectsMove)
@@ -84,9 +94,9 @@ std::vector<Choice> choicesFor(const SceneNeeds& needs, const CacheSettings& cac
     return choices;
 }
 
-Result<void> applyChoices(Variant& variant, const SceneNeeds& needs, const CacheSettings& cache,
+Result<void> applyChoices(Variant& variant, const SceneNeeds& needs, const Settings& settings,
                           std::vector<Dropped>& dropped) {
-    for (const Choice& choice : choicesFor(needs, cache)) {
+    for (const Choice& choice : choicesFor(needs, settings)) {
         if (!hasSwitch(*variant.pass, choice.switchName)) continue;
         if (auto set = setSwitch(variant, choice.switchName, choice.value); !set) return set;
         if (!choice.reason.empty())
@@ -129,7 +139,13 @@ Result<void> applyNeeds(Variant& variant, const SceneNeeds& needs, std::vector<D
 } // namespace
 
 bool cachesAnything(const SceneNeeds& needs) {
-    return needs.ambientOcclusion || needs.sunShadows || needs.cachedValue;
+    return needs.ambientOcclusion || needs.sunShadows || needs.cachedChannels > 0;
+}
+
+bool mergesCache(const SceneNeeds& needs, const Settings& settings) {
+    const CacheSettings& cache = settings.cache;
+    return cache.merges && settings.stage == Stage::compute && (cache.history || cache.filter) &&
+           (needs.ambientOcclusion || needs.sunShadows) && cache.occlusion != obscurancePass;
 }
 
 bool anythingMoves(const SceneNeeds& needs) {
@@ -145,7 +161,7 @@ Result<Variant> chooseVariant(const PassInfo& pass, std::span<const PresetInfo> 
     if (temporal)
         if (auto set = applyPreset(*variant, presets, settings.preset); !set) return set.error();
     if (auto set = applyNeeds(*variant, needs, dropped); !set) return set.error();
-    if (auto set = applyChoices(*variant, needs, settings.cache, dropped); !set) return set.error();
+    if (auto set = applyChoices(*variant, needs, settings, dropped); !set) return set.error();
     if (auto set = applyOverrides(*variant, settings.overrides); !set) return set.error();
     if (settings.stage == Stage::compute && !settings.quadOperations) {
         const auto set =

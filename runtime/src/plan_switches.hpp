@@ -13,5 +13,7 @@ Result<Variant> chooseVariant(const PassInfo& pass, std::span<const PresetInfo> 
 
 bool anythingMoves(const SceneNeeds& needs);
 bool cachesAnything(const SceneNeeds& needs);
+// Whether lighting_cache does the work of what computes occlusion and shadow and of the cache.
+bool mergesCache(const SceneNeeds& needs, const Settings& settings);
 
 } // namespace reprise

@@ -116,7 +116,7 @@ Result<SunShadowParameters> sunShadowParameters(const CameraFrame& camera, glm::
                                   glm::length(glm::dvec3(row(first, 1))));
     const double depthAMetre = glm::length(glm::dvec3(row(first, 2)));
     store(parameters.gDisc, glm::dvec3(tuning.radius * texelsAMetre, tuning.leastTexels));
-    store(parameters.gBias,
+    store(parameters.gShadowBias,
           glm::dvec3(tuning.bias * depthAMetre,
                      tuning.steepest * depthAMetre / std::min(texelsAMetre.x, texelsAMetre.y)));
     return parameters;

@@ -276,8 +276,10 @@ void addControls(std::vector<Case>& cases, const Platform& platform, const fs::p
         cases.push_back(screenCopyCase(platform, directory, &control));
         for (const auto& pass : pack().passes()) {
             if (control.name == "uncorrected" && !showsHalfAPixel(pass.name)) continue;
-            cases.push_back(passCase(platform, passes::variantOf(pack(), pass.name),
-                                     stagesOf(pass, platform).front(), directory, &control));
+            const std::vector<Stage> stages = stagesOf(pass, platform);
+            if (stages.empty() || stages.front() == Stage::compute) continue; // nothing is drawn
+            cases.push_back(passCase(platform, passes::variantOf(pack(), pass.name), stages.front(),
+                                     directory, &control));
         }
     }
 }

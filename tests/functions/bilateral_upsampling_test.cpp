@@ -102,8 +102,8 @@ TEST(BilateralUpsampling, weightsAreTheTableOfFigure72) {
 TEST(BilateralUpsampling, wrongFootprintsAreCaught) {
     const Comparison right = footprint({{7, 5}, 2});
     // Not turned by the place in the tile: the pixel's own texel always the upper left of the four.
-    expectCaught(right,
-                 {header, "float2 right = positionTexels - first;", "float2 right = float2(0.25, 0.25);"});
+    expectCaught(right, {header, "bilinearWeightsAt(positionTexels - first)",
+                         "bilinearWeightsAt(float2(0.25, 0.25))"});
     expectCaught(right, {header, "max(ratio, 1.0) - 0.5", "max(ratio, 1.0)"}); // half a texel off
     expectCaught(right, {header, "footprint.rightUp = float2(high.x, low.y);",
                          "footprint.rightUp = float2(low.x, high.y);"}); // another sample's coordinate
@@ -415,6 +415,95 @@ TEST(BilateralUpsampling, hostileInputsGiveNumbers) {
                       const bool broken = std::isnan(in[0].x + in[0].y + in[0].z + in[1].x + in[1].y);
                       return broken ? std::vector<Expected>{} : std::vector(3, finite());
                   }});
+}
+
+// --- By depth alone, without a fallback
+
+// in0 bilinear weights, in1 depths, in2 which are usable, in3.x the depth of the pixel; or in0.xy the place.
+Comparison sharesOfDepths() {
+    Random random(10);
+    std::vector<Row> rows;
+    const float marks[] = {0.0f, 1e-4f, 0.1f, 65503.996f, 65504.0f};
+    const auto depthOf = [&](float near) {
+        const uint32_t kind = random.below(4);
+        return kind == 0   ? marks[random.below(5)]
+               : kind == 1 ? near
+               : kind == 2 ? std::min(near * (1.0f + std::exp2(random.in(-24.0f, 0.0f))), 65504.0f)
+                           : std::exp2(random.in(-10.0f, 15.9f));
+    };
+    for (int i = 0; i < 6000; ++i) {
+        const float near = std::exp2(random.in(-10.0f, 15.9f));
+        Row row{bilinearOf(random), vec4(0.0f), vec4(1.0f), vec4(depthOf(near))};
+        for (int c = 0; c < 4; ++c) {
+            row[1][c] = depthOf(near);
+            if (i % 3 == 0) row[2][c] = random.below(2) == 0 ? 1.0f : 0.0f;
+        }
+        rows.push_back(row);
+    }
+    return {{"bilateralSharesOfDepths", {header}, "out0 = bilateralSharesOfDepths(in0, in1, in3.x, in2);", 4},
+            rows,
+            [](const Row& in) {
+                std::array<bool, 4> usable{};
+                for (int c = 0; c < 4; ++c)
+                    usable[static_cast<size_t>(c)] = in[2][c] > 0.5f;
+                const auto shares =
+                    oracle::bilateralShares(dvec4(in[0]), dvec4(1.0), dvec4(in[1]), in[3].x, usable);
+                // Three roundings a denominator, of which a weight has three, and six products: 15. The total
+                // has that and three sums, and is divided by.
+                return std::vector{
+                    near(dvec4(shares.of[0], shares.of[1], shares.of[2], shares.of[3]), 40.0 * roundoff)};
+            }};
+}
+
+TEST(BilateralUpsampling, sharesOfDepthsAreThoseOfTheListing) {
+    expectAgrees(sharesOfDepths());
+}
+
+TEST(BilateralUpsampling, sharesOfDepthsAddUpWhereAnyIsUsable) {
+    const Comparison right = sharesOfDepths();
+    const auto out = run(right.function, right.inputs);
+    for (size_t i = 0; i < out.size(); ++i) {
+        const float sum = glm::dot(out[i][0], vec4(1.0f)), usable = glm::dot(right.inputs[i][2], vec4(1.0f));
+        ASSERT_NEAR(sum, usable > 0.0f ? 1.0f : 0.0f, 1e-6f) << "row " << i;
+    }
+}
+
+TEST(BilateralUpsampling, wrongSharesOfDepthsAreCaught) {
+    const Comparison right = sharesOfDepths();
+    // The denominators of others, each with its own among them once.
+    expectCaught(right,
+                 {header, "denominators.yxxx * denominators.zzyy", "denominators.xxxx * denominators.zzyy"});
+    expectCaught(right,
+                 {header, "denominators.zzyy * denominators.wwwz", "denominators.zzyy * denominators.wwzz"});
+    expectCaught(right,
+                 {header, "bilinearWeights * usable * denominators", "bilinearWeights * denominators"});
+    expectCaught(right, {header, "float4 denominators = DEPTH_WEIGHT_FLOOR + abs(depthHi - depthLow)",
+                         "float4 denominators = abs(depthHi - depthLow)"});
+    // A least total that a weight may be below.
+    expectCaught(right, {header, "max(dot(weights, 1.0), MIN_TOTAL_WEIGHT)", "max(dot(weights, 1.0), 1e-9)"});
+}
+
+Comparison weightsAt() {
+    Random random(11);
+    std::vector<Row> rows;
+    for (int i = 0; i < 2000; ++i)
+        rows.push_back({vec4(random.unit(), random.unit(), 0, 0)});
+    for (const float x : {0.0f, 0.125f, 0.25f, 0.5f, 0.875f, 1.0f})
+        for (const float y : {0.0f, 0.375f, 0.75f, 1.0f})
+            rows.push_back({vec4(x, y, 0, 0)});
+    return {{"bilinearWeightsAt", {header}, "out0 = bilinearWeightsAt(in0.xy);"}, rows, [](const Row& in) {
+                const double x = in[0].x, y = in[0].y;
+                // A rounding of each difference and one of the product.
+                return std::vector{
+                    near(dvec4((1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y), 3.0 * roundoff)};
+            }};
+}
+
+TEST(BilateralUpsampling, bilinearWeightsAreThoseOfTheirPlace) {
+    expectAgrees(weightsAt());
+    expectCaught(weightsAt(), {header, "float4(left.y, left.y, right.y, right.y)",
+                               "float4(left.y, right.y, left.y, right.y)"});
+    expectCaught(weightsAt(), {header, "float2 left = 1.0 - right;", "float2 left = right;"});
 }
 
 // --- A pass over images

@@ -106,7 +106,7 @@ TEST(DirectionalBilateral, swappedWeightsPlacesOrSignsAreCaught) {
     expectCaught(linear, {header, "abs(depth - centreDepth)", "(depth - centreDepth)"});
     expectCaught(linear, {header, "1.0 + bounded(diffAmp, 0.0, LARGEST_TAP) * difference",
                           "1.0 - bounded(diffAmp, 0.0, LARGEST_TAP) * difference"});
-    expectCaught(linear, {header, "sum.values / sum.weight", "sum.values"});
+    expectCaught(linear, {header, "sum.values * (1.0 / sum.weight)", "sum.values"});
 }
 
 // Printed: one number comes back. The second pass reads r and a, and where a is not the depth it filters

@@ -85,9 +85,9 @@ TEST(OcclusionShadowPacking, packedNumberIsTheOracles) {
 
 TEST(OcclusionShadowPacking, wrongPackingsAreCaught) {
     const Comparison right = roundTrip(listingOrder, true);
-    expectCaught(right, {header, "float2(integer / PACK_RANGE, (known",
-                         "float2(known / PACK_RANGE, (known"}); // the fraction stays in the integer
-    expectCaught(right, {header, "(known - integer) / PACK_FRACTION", "known - integer"});
+    expectCaught(right, {header, "float2(integer * (1.0 / PACK_RANGE), (known",
+                         "float2(known * (1.0 / PACK_RANGE), (known"}); // the fraction stays in the integer
+    expectCaught(right, {header, "(known - integer) * (1.0 / PACK_FRACTION)", "known - integer"});
     expectCaught(right,
                  {header, "bounded(part, 0.0, 1.0) * PACK_FRACTION", "bounded(part, 0.0, 1.0)"}); // 1 carries
     expectCaught(roundTrip(textOrder, false),

@@ -12,7 +12,7 @@
 namespace oracle {
 
 struct CachePass {
-    enum class Values { one, occlusionInInteger, shadowInInteger };
+    enum class Values { one, two, four, occlusionInInteger, shadowInInteger };
     Values values = Values::one;
     enum class History { camera, motion, still, none };
     History where = History::camera;
@@ -24,38 +24,62 @@ struct CachePass {
     dvec2 change{1.2, 0.1}; // deviations, and a difference, that history may differ by
     double convergenceTime = 2.0, maxWeight = 0.9, historyValid = 1.0;
     const Image* fresh = nullptr;
-    const Image* velocity = nullptr; // at the frame's extent
-    const Image* history = nullptr;
+    const Image* coarseDepth = nullptr; // of two and four values
+    const Image* velocity = nullptr;    // at the frame's extent
+    const Image* history = nullptr;     // values, beside one or a packed pair depth
+    const Image* state = nullptr;       // frames, beside two and four values depth
 };
 
 inline bool isNumber(double value, double largest = 1e38) {
     return std::abs(value) <= largest;
 }
 
+inline bool isPacked(CachePass::Values values) {
+    return values == CachePass::Values::occlusionInInteger || values == CachePass::Values::shadowInInteger;
+}
+
+// Of two and four values depth lies beside the frames.
+inline bool isDepthApart(CachePass::Values values) {
+    return values == CachePass::Values::two || values == CachePass::Values::four;
+}
+
+inline int valueCount(CachePass::Values values) {
+    return values == CachePass::Values::one ? 1 : values == CachePass::Values::four ? 4 : 2;
+}
+
 // What a history can hold: the finite values of a binary16.
-inline bool isCacheable(dvec2 values) {
-    return isNumber(values.x, 65504.0) && isNumber(values.y, 65504.0);
+inline bool isCacheable(dvec4 values) {
+    return isNumber(values.x, 65504.0) && isNumber(values.y, 65504.0) && isNumber(values.z, 65504.0) &&
+           isNumber(values.w, 65504.0);
 }
 
-// (occlusion, shadow) of a packed channel, NaN where it holds no number; or the value and 0.
-inline dvec2 unpackedValues(const CachePass& pass, double channel) {
-    if (pass.values == CachePass::Values::one) return {channel, 0.0};
-    if (!isNumber(channel, 65504.0)) return dvec2(std::nan(""));
-    const double last = 1.0 - fractionStep(31), known = std::clamp(channel, 0.0, 31.0 + last);
+// What a texel of values holds, 0 in the rest; (occlusion, shadow) of a packed channel, NaN where it holds no
+// number.
+inline dvec4 unpackedValues(CachePass::Values values, dvec4 texel) {
+    if (values == CachePass::Values::one) return {texel.x, 0.0, 0.0, 0.0};
+    if (values == CachePass::Values::two) return {texel.x, texel.y, 0.0, 0.0};
+    if (values == CachePass::Values::four) return texel;
+    if (!isNumber(texel.x, 65504.0)) return dvec4(std::nan(""));
+    const double last = 1.0 - fractionStep(31), known = std::clamp(texel.x, 0.0, 31.0 + last);
     const double whole = std::floor(known) / 31.0, part = std::min((known - std::floor(known)) / last, 1.0);
-    return pass.values == CachePass::Values::occlusionInInteger ? dvec2(whole, part) : dvec2(part, whole);
+    return values == CachePass::Values::occlusionInInteger ? dvec4(whole, part, 0.0, 0.0)
+                                                           : dvec4(part, whole, 0.0, 0.0);
 }
 
-inline double packedValues(const CachePass& pass, dvec2 values) {
-    switch (pass.values) {
+// The texel of values, depth beside them where it has its place there.
+inline dvec4 packedValues(CachePass::Values values, dvec4 unpacked, double depth) {
+    switch (values) {
     case CachePass::Values::occlusionInInteger:
-        return packPair(values.x, values.y);
+        return {packPair(unpacked.x, unpacked.y), depth, 0.0, 0.0};
     case CachePass::Values::shadowInInteger:
-        return packPair(values.y, values.x);
+        return {packPair(unpacked.y, unpacked.x), depth, 0.0, 0.0};
     case CachePass::Values::one:
+        return {unpacked.x, depth, 0.0, 0.0};
+    case CachePass::Values::two:
+    case CachePass::Values::four:
         break;
     }
-    return values.x;
+    return unpacked;
 }
 
 // A place of the image in texels and the linear depth that is expected there.
@@ -88,10 +112,9 @@ inline CachePoint cachePoint(const CachePass& pass, ivec2 texel, double depth) {
     return point;
 }
 
-// Both values, frames and depth. Of a linear filter one broken texel breaks all; of unpacked ones it is left
-// out.
+// Of a linear filter one broken texel breaks all; of unpacked ones it is left out.
 struct CacheRead {
-    dvec2 values{0.0};
+    dvec4 values{0.0};
     double frames = 0.0, depth = 0.0;
     bool usable = true;
 };
@@ -111,33 +134,51 @@ inline CacheRead readCache(const CachePass& pass, dvec2 texel) {
         if (!pass.bilinear) weight = i == 0 ? 1.0 : 0.0;
         if (weight == 0.0) continue;
         const dvec4 read = texelClamped(*pass.history, at.x, at.y);
-        const dvec2 values = unpackedValues(pass, read.x);
-        const bool number = isCacheable(values) && isNumber(read.z) && isNumber(read.w);
-        if (!number && pass.values != CachePass::Values::one && pass.bilinear) continue;
+        const dvec4 state = texelClamped(*pass.state, at.x, at.y);
+        const dvec4 values = unpackedValues(pass.values, read);
+        const double depth = isDepthApart(pass.values) ? state.y : read.y;
+        sum.frames += weight * state.x;
+        if (isPacked(pass.values) && pass.bilinear && !(isCacheable(values) && isNumber(depth))) continue;
         sum.values += weight * values;
-        sum.frames += weight * read.z;
-        sum.depth += weight * read.w;
+        sum.depth += weight * depth;
         total += weight;
     }
-    if (total > 1e-6) sum = {sum.values / total, sum.frames / total, sum.depth / total};
+    if (total > 1e-6) sum = {sum.values / total, sum.frames, sum.depth / total};
+    sum.frames = held(sum.frames, 0.0, 255.0);
     sum.usable = total > 1e-6 && isCacheable(sum.values) && isNumber(sum.depth);
     return sum;
 }
 
-// Values of the 4x4 fresh texels from one before to two behind: the part of the history's distance to their
-// mean that is beyond what they scatter.
-inline double likeness(const CachePass& pass, ivec2 texel, dvec2 values) {
+// What a texel of this frame counts as: what is no number is 0.
+inline dvec4 freshValues(const CachePass& pass, int x, int y) {
+    dvec4 values = unpackedValues(pass.values, texelClamped(*pass.fresh, x, y));
+    for (int i = 0; i < 4; ++i)
+        if (!isNumber(values[i], 65504.0)) values[i] = 0.0;
+    return values;
+}
+
+// The 4x4 fresh texels from one before to two behind, within the tile of 16x16: the part of the history's
+// distance to their mean that is beyond what they scatter.
+inline double likeness(const CachePass& pass, ivec2 texel, dvec4 values) {
+    const ivec2 tile = texel / 16 * 16;
+    double count = 0.0;
     const auto each = [&](auto&& take) {
         for (int i = 0; i < 16; ++i) {
-            const double channel = texelClamped(*pass.fresh, texel.x - 1 + i % 4, texel.y - 1 + i / 4).x;
-            take(unpackedValues(pass, isNumber(channel, 65504.0) ? channel : 0.0));
+            const ivec2 at = texel - 1 + ivec2(i % 4, i / 4);
+            const ivec2 inTile = at - tile;
+            if (std::min(inTile.x, inTile.y) < 0 || std::max(inTile.x, inTile.y) > 15) continue;
+            take(freshValues(pass, at.x, at.y));
         }
     };
-    dvec2 mean(0.0), variance(0.0);
-    each([&](dvec2 value) { mean += value / 16.0; });
-    each([&](dvec2 value) { variance += (value - mean) * (value - mean) / 16.0; });
+    dvec4 mean(0.0), variance(0.0);
+    each([&](dvec4 value) {
+        mean += value;
+        count += 1.0;
+    });
+    mean /= count;
+    each([&](dvec4 value) { variance += (value - mean) * (value - mean) / count; });
     double least = 1.0;
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < valueCount(pass.values); ++i) {
         const double allowed = std::max(pass.change.x * std::sqrt(variance[i]) + pass.change.y, 1e-4);
         least = std::min(least, std::clamp(2.0 - std::abs(values[i] - mean[i]) / allowed, 0.0, 1.0));
     }
@@ -145,44 +186,42 @@ inline double likeness(const CachePass& pass, ivec2 texel, dvec2 values) {
 }
 
 struct CacheTexel {
-    double packed = 0.0, frames = 1.0, depth = 0.0;
-    dvec2 values{0.0}; // before they were packed
+    dvec4 values{0.0}; // as the image holds them
+    double frames = 1.0, depth = 0.0;
+    dvec4 unpacked{0.0};
 };
 
 // With the place moved by `away` texels, and the depth expected there by `awayDepth` metres.
 inline CacheTexel cacheTexel(const CachePass& pass, int x, int y, dvec2 away = dvec2(0.0),
                              double awayDepth = 0.0) {
-    const dvec4 fresh = texelClamped(*pass.fresh, x, y);
+    const double depth = isDepthApart(pass.values) ? texelClamped(*pass.coarseDepth, x, y).x
+                                                   : texelClamped(*pass.fresh, x, y).y;
+    const dvec4 current = freshValues(pass, x, y);
     CacheTexel result;
-    result.depth = fresh.y > 0.0 && fresh.y < skyDepth ? fresh.y : skyDepth;
-    dvec2 current = unpackedValues(pass, fresh.x);
-    if (!isCacheable(current)) current = dvec2(0.0);
-
-    if (pass.where == CachePass::History::none) {
-        result.values = current;
-        result.packed = packedValues(pass, current);
-        return result;
+    result.depth = depth > 0.0 && depth < skyDepth ? depth : skyDepth;
+    result.unpacked = current;
+    if (pass.where != CachePass::History::none) {
+        CachePoint point = cachePoint(pass, {x, y}, result.depth);
+        if (pass.where == CachePass::History::still) away = dvec2(0.0), awayDepth = 0.0;
+        point.texel += away;
+        const CacheRead history = readCache(pass, point.texel);
+        const double threshold = pass.missThreshold.x + pass.missThreshold.y * result.depth;
+        double confidence = 0.0;
+        if (pass.historyValid > 0.5 && history.usable && isInsideUv(point.texel / pass.history->extent())) {
+            const double difference = std::abs(point.depth + awayDepth - history.depth);
+            confidence = std::clamp((1.0 - difference / threshold) * pass.convergenceTime, 0.0, 1.0);
+        }
+        if (pass.detectsChange && confidence > 0.0) confidence *= likeness(pass, {x, y}, history.values);
+        const double moving = velocityWeight(glm::length(point.travelled - away), pass.maxWeight,
+                                             pass.speedPx.x, pass.speedPx.y);
+        const double weight =
+            std::min(convergenceWeight(history.frames * confidence, pass.maxWeight), moving);
+        for (int i = 0; i < 4; ++i)
+            result.unpacked[i] =
+                weight > 0.0 ? exponentialHistory(history.values[i], current[i], weight) : current[i];
+        result.frames = nextConvergence(history.frames, confidence);
     }
-    CachePoint point = cachePoint(pass, {x, y}, result.depth);
-    if (pass.where == CachePass::History::still) away = dvec2(0.0), awayDepth = 0.0;
-    point.texel += away;
-    const CacheRead history = readCache(pass, point.texel);
-    const double threshold = pass.missThreshold.x + pass.missThreshold.y * result.depth;
-    double confidence = 0.0;
-    if (pass.historyValid > 0.5 && history.usable && isInsideUv(point.texel / pass.history->extent())) {
-        const double difference = std::abs(point.depth + awayDepth - history.depth);
-        confidence = std::clamp((1.0 - difference / threshold) * pass.convergenceTime, 0.0, 1.0);
-    }
-    if (pass.detectsChange && confidence > 0.0) confidence *= likeness(pass, {x, y}, history.values);
-    const double moving =
-        velocityWeight(glm::length(point.travelled - away), pass.maxWeight, pass.speedPx.x, pass.speedPx.y);
-    const double kept = held(history.frames, 0.0, 255.0) * confidence;
-    const double weight = std::min(convergenceWeight(kept, pass.maxWeight), moving);
-    for (int i = 0; i < 2; ++i)
-        result.values[i] =
-            weight > 0.0 ? exponentialHistory(history.values[i], current[i], weight) : current[i];
-    result.packed = packedValues(pass, result.values);
-    result.frames = nextConvergence(history.frames, confidence);
+    result.values = packedValues(pass.values, result.unpacked, result.depth);
     return result;
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ambient_occlusion_case.hpp"
 
+#include "reprise/ambient_occlusion.hpp"
+
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 namespace passes {
 
@@ -54,12 +57,15 @@ void setParameters(AmbientOcclusionCase& frame) {
     for (int i = 0; i < 4; ++i)
         p.gViewRay[i] = static_cast<float>(frame.pass.viewRay[i]);
     p.gRadius = static_cast<float>(frame.pass.radius);
-    p.gFrameIndex = static_cast<float>(frame.pass.frame);
-    p.gSubsetCount = static_cast<float>(frame.pass.subsets);
+    const auto taps = reprise::occlusionTaps(static_cast<uint32_t>(frame.pass.samples),
+                                             static_cast<uint64_t>(frame.pass.frame),
+                                             static_cast<uint32_t>(frame.pass.subsets));
+    static_assert(sizeof(taps) == sizeof(p.gTaps));
+    std::memcpy(p.gTaps, taps.data(), sizeof(taps));
     const glm::dvec2 frameToCoarse = glm::dvec2(frame.normal.width, frame.normal.height) /
                                      (double(frame.pass.ratio) * glm::dvec2(width, height));
     for (int i = 0; i < 2; ++i) {
-        p.gBias[i] = static_cast<float>(frame.pass.bias[i]);
+        p.gOcclusionBias[i] = static_cast<float>(frame.pass.bias[i]);
         p.gFrameToCoarse[i] = static_cast<float>(frameToCoarse[i]);
     }
 }

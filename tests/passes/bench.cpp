@@ -35,7 +35,8 @@ harness::Image uploaded(const Pixels& pixels) {
 std::vector<VkFormat> tableFormats(const Variant& variant) {
     std::vector<VkFormat> formats;
     for (const auto& output : variant.pass->outputs)
-        if (reprise::exists(variant, output)) formats.push_back(harness::formatByName(output.format));
+        if (reprise::exists(variant, output))
+            formats.push_back(harness::formatByName(reprise::formatOf(variant, output)));
     return formats;
 }
 
@@ -225,6 +226,19 @@ Pixels highContrastNoise(VkFormat format, int width, int height, uint64_t seed) 
 double storeError(VkFormat format, double value) {
     // Below the normal range the step of a half float is 2^-24.
     return isHalf(format) ? std::max(std::abs(value) * 0x1p-10, 0x1p-24) : std::abs(value) * 0x1p-23 + 1e-37;
+}
+
+std::vector<VkFormat> wideFormats(const Variant& variant) {
+    std::vector<VkFormat> formats;
+    for (const auto& output : variant.pass->outputs) {
+        if (!reprise::exists(variant, output)) continue;
+        const std::string_view format = reprise::formatOf(variant, output);
+        formats.push_back(format == "rgba16f" ? rgba32f
+                          : format == "rg16f" ? rg32f
+                          : format == "rgba8" ? VK_FORMAT_R8G8B8A8_UNORM
+                                              : r32f);
+    }
+    return formats;
 }
 
 } // namespace passes

@@ -31,6 +31,9 @@ using Texel = std::array<float, 4>;
 Pixels makePixels(VkFormat format, int width, int height, const std::function<Texel(int x, int y)>& texelAt);
 oracle::Image oracleImage(const Pixels& pixels);
 
+// The formats of the table for the outputs of a variant, but of 32 bits where they have 16.
+std::vector<VkFormat> wideFormats(const Variant& variant);
+
 harness::Gpu& gpu();
 // hlsl/pack.toml of the repository, which is the working directory of every test.
 const reprisec::Pack& pack();

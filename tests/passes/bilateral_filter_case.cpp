@@ -22,15 +22,9 @@ float randomDepth(uint64_t seed, int x, int y, bool hasSky) {
                               0.05 * unit(seed, x, y, 2));
 }
 
-double packed(CachePass::Values values, glm::dvec2 both) {
-    CachePass pass;
-    pass.values = values;
-    return oracle::packedValues(pass, both);
-}
-
 // Between two whole numbers of a packed channel a rounding chooses either.
-bool isHalfway(CachePass::Values values, glm::dvec2 both, double error) {
-    if (values == CachePass::Values::one) return false;
+bool isHalfway(CachePass::Values values, glm::dvec4 both, double error) {
+    if (!oracle::isPacked(values)) return false;
     const double whole = values == CachePass::Values::occlusionInInteger ? both.x : both.y;
     return std::abs(glm::fract(31.0 * whole) - 0.5) < 31.0 * error + 1e-4;
 }
@@ -40,24 +34,25 @@ bool isHalfway(CachePass::Values values, glm::dvec2 both, double error) {
 // What several such taps change is more than the sum of what each does: so the worst places of all taps are
 // looked for together, tap after tap, three times, upwards and downwards. One of a tap's places is that where
 // its depth is the centre's, and its weight the largest.
-double filterErrorOf(const oracle::FilterPass& pass, const oracle::Image& unpacked, int x, int y,
-                     glm::dvec2 values) {
+double filterErrorOf(const oracle::FilterPass& pass, const oracle::Unpacked& unpacked, int x, int y,
+                     int channel, double value) {
     if (!pass.linear) return 0.0;
     // Roundings of a coordinate: 1 / extent, its product with the pixel's place, the tap's offset in two, the
     // sampler's product with the extent and its half texel.
-    const double error = linearFilterError() + 6.0 * 0x1p-24 * std::max(unpacked.width, unpacked.height);
+    const double error =
+        linearFilterError() + 6.0 * 0x1p-24 * std::max(unpacked.values.width, unpacked.values.height);
     const glm::dvec2 along(pass.direction), across(along.y, along.x);
     const auto footprint = oracle::linearFootprint();
     const auto depthAt = [&](size_t tap, glm::dvec2 away) {
         const glm::dvec2 place = glm::dvec2(x, y) + 0.5 + footprint[tap].first * along + away;
-        return oracle::sampleLinear(unpacked, place / unpacked.extent()).w;
+        return oracle::sampleLinear(unpacked.state, place / unpacked.state.extent()).y;
     };
     // Shares of the error across: its ends, the middle, and where the depth is the centre's.
     const auto sharesOf = [&](size_t tap) {
         std::vector<double> shares{-1.0, 0.0, 1.0};
         for (const double end : {-1.0, 1.0}) {
             const double here = depthAt(tap, glm::dvec2(0.0)), there = depthAt(tap, end * error * across);
-            const double share = (unpacked.at(x, y).w - here) / (there - here);
+            const double share = (unpacked.state.at(x, y).y - here) / (there - here);
             if (share > 0.0 && share < 1.0) shares.push_back(end * share);
         }
         return shares;
@@ -72,9 +67,9 @@ double filterErrorOf(const oracle::FilterPass& pass, const oracle::Image& unpack
             for (const double u : {-1.0, 0.0, 1.0})
                 for (const double v : sharesOf(step % away.size())) {
                     place = error * (u * along + v * across);
-                    const double value = oracle::filteredValues(pass, unpacked, x, y, away).x;
-                    if (sign * (value - values.x) <= most) continue;
-                    most = sign * (value - values.x);
+                    const double moved = oracle::filteredValues(pass, unpacked, x, y, away)[channel];
+                    if (sign * (moved - value) <= most) continue;
+                    most = sign * (moved - value);
                     best = place;
                 }
             place = best;
@@ -89,12 +84,18 @@ double filterErrorOf(const oracle::FilterPass& pass, const oracle::Image& unpack
 CachePass::Values cachedValuesOf(const Variant& variant) {
     const auto value = reprise::switchValue(variant, "VALUES");
     return value == "one"                    ? CachePass::Values::one
+           : value == "two"                  ? CachePass::Values::two
+           : value == "four"                 ? CachePass::Values::four
            : value == "occlusion_in_integer" ? CachePass::Values::occlusionInInteger
                                              : CachePass::Values::shadowInInteger;
 }
 
-float randomCached(CachePass::Values values, uint64_t seed, int x, int y) {
-    return static_cast<float>(packed(values, {unit(seed, x, y, 3), unit(seed, x, y, 4)}));
+Texel randomCached(CachePass::Values values, uint64_t seed, int x, int y, double depth) {
+    glm::dvec4 each;
+    for (int i = 0; i < 4; ++i)
+        each[i] = unit(seed, x, y, 10 + static_cast<uint64_t>(i));
+    const glm::vec4 texel(oracle::packedValues(values, each, depth));
+    return {texel.x, texel.y, texel.z, texel.w};
 }
 
 BilateralFilterCase bilateralFilterCase(const Variant& variant, int width, int height, glm::ivec2 direction,
@@ -102,15 +103,16 @@ BilateralFilterCase bilateralFilterCase(const Variant& variant, int width, int h
     BilateralFilterCase made;
     oracle::FilterPass& pass = made.pass;
     pass.values = cachedValuesOf(variant);
-    pass.linear = pass.values == CachePass::Values::one && reprise::switchValue(variant, "TAPS") == "linear";
+    pass.linear = !oracle::isPacked(pass.values) && reprise::switchValue(variant, "TAPS") == "linear";
     pass.direction = direction;
     // In a large image under a linear filter a rounded coordinate beside the sky decides over a tap's whole
     // weight, and nothing is left to compare; the page names it as a limit.
     const bool hasSky = !pass.linear || width <= 64;
-    made.cache = makePixels(rgba32f, width, height, [&](int x, int y) {
-        const double frames = 12.0 * unit(seed, x, y, 5);
-        return Texel{randomCached(pass.values, seed, x, y), 0.0f, static_cast<float>(frames),
-                     randomDepth(seed, x, y, hasSky)};
+    const auto depth = [&](int x, int y) { return randomDepth(seed, x, y, hasSky); };
+    made.cache = makePixels(rgba32f, width, height,
+                            [&](int x, int y) { return randomCached(pass.values, seed, x, y, depth(x, y)); });
+    made.state = makePixels(rg32f, width, height, [&](int x, int y) {
+        return Texel{static_cast<float>(12.0 * unit(seed, x, y, 5)), depth(x, y)};
     });
     const auto w = static_cast<float>(width), h = static_cast<float>(height);
     made.parameters = {.gOutputSize = {w, h, 1.0f / w, 1.0f / h},
@@ -124,34 +126,46 @@ BilateralFilterCase bilateralFilterCase(const Variant& variant, int width, int h
 }
 
 std::vector<Pixels> run(Pass& pass, const BilateralFilterCase& frame) {
-    const NamedPixels inputs[] = {{"gInCache", &frame.cache}, {"gInCacheFiltered", &frame.cache}};
+    const NamedPixels inputs[] = {{"gInCache", &frame.cache},
+                                  {"gInCacheFiltered", &frame.cache},
+                                  {"gInCacheState", &frame.state},
+                                  {"gInCacheStateFiltered", &frame.state}};
     return pass(inputs, frame.parameters, frame.cache.width, frame.cache.height);
 }
 
 Comparison compareWithOracle(const BilateralFilterCase& frame, const Pixels& filtered) {
-    const oracle::Image cache = oracleImage(frame.cache);
-    const oracle::Image unpacked = oracle::unpackedImage(cache, frame.pass.values);
-    const Pixels got = makePixels(rgba32f, filtered.width, filtered.height, [&](int x, int y) {
-        return Texel{filtered.at(x, y, 0), filtered.at(x, y, 2), filtered.at(x, y, 3), 0.0f};
-    });
-    return compare(
-        got,
-        [&](int x, int y, bool careful) {
-            const glm::dvec2 values = oracle::filteredValues(frame.pass, unpacked, x, y);
-            const glm::dvec4 own = cache.at(x, y);
-            const glm::dvec3 value(packed(frame.pass.values, values), oracle::held(own.z, 0.0, 255.0),
-                                   std::min(oracle::held(own.w, 0.0, 1e36), oracle::skyDepth));
-            glm::dvec3 bound;
-            for (int c = 0; c < 3; ++c)
-                bound[c] = storeError(filtered.format, value[c]);
-            if (careful) {
-                // Weights of nine taps, each rounded some ten times; a packed integer may be the next.
-                const double error = 4e-6 + filterErrorOf(frame.pass, unpacked, x, y, values);
-                bound.x += isHalfway(frame.pass.values, values, error) ? 1.0 + error : error;
-            }
-            return Expected{value, bound};
-        },
-        3);
+    const oracle::FilterPass& pass = frame.pass;
+    const oracle::Unpacked unpacked =
+        oracle::unpackedCache(oracleImage(frame.cache), oracleImage(frame.state), pass.values);
+    const bool apart = oracle::isDepthApart(pass.values);
+    // Two channels at a time.
+    const auto part = [&](int first) {
+        const Pixels got = makePixels(rgba32f, filtered.width, filtered.height, [&](int x, int y) {
+            return Texel{filtered.at(x, y, first), filtered.at(x, y, first + 1)};
+        });
+        return compare(
+            got,
+            [&](int x, int y, bool careful) {
+                const glm::dvec4 values = oracle::filteredValues(pass, unpacked, x, y);
+                const double depth =
+                    std::min(oracle::held(unpacked.state.at(x, y).y, 0.0, 1e36), oracle::skyDepth);
+                const glm::dvec4 texel = oracle::packedValues(pass.values, values, depth);
+                Expected expected;
+                for (int c = 0; c < 2; ++c) {
+                    expected.value[c] = texel[first + c];
+                    expected.bound[c] = storeError(filtered.format, texel[first + c]);
+                    if (!careful || (c == 1 && !apart)) continue;
+                    // Weights of nine taps, each rounded some ten times; a packed integer may be the next.
+                    const double error =
+                        4e-6 + filterErrorOf(pass, unpacked, x, y, first + c, values[first + c]);
+                    expected.bound[c] += isHalfway(pass.values, values, error) ? 1.0 + error : error;
+                }
+                return expected;
+            },
+            2);
+    };
+    const Comparison result = part(0);
+    return result.holds() && pass.values == CachePass::Values::four ? part(2) : result;
 }
 
 } // namespace passes

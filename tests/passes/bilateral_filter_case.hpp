@@ -9,14 +9,14 @@
 namespace passes {
 
 struct BilateralFilterCase {
-    oracle::FilterPass pass; // image apart
-    Pixels cache;
+    oracle::FilterPass pass;
+    Pixels cache, state; // as reprojection_cache leaves them
     reprise::BilateralFilterParameters parameters{};
 };
 
 oracle::CachePass::Values cachedValuesOf(const Variant& variant);
-// A random value or pair, as a cache holds it.
-float randomCached(oracle::CachePass::Values values, uint64_t seed, int x, int y);
+// Random values as a cache holds them, and depth where it has its place beside them.
+Texel randomCached(oracle::CachePass::Values values, uint64_t seed, int x, int y, double depth);
 
 // Random values and frames on surfaces of three depths, in blocks, and sky.
 BilateralFilterCase bilateralFilterCase(const Variant& variant, int width, int height, glm::ivec2 direction,

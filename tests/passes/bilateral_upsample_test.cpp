@@ -21,7 +21,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, BilateralUpsample, testing::Values(Stage::fragm
 
 std::vector<Variant> allVariants() {
     std::vector<Variant> variants;
-    for (const std::string_view values : {"one", "occlusion_in_integer", "shadow_in_integer"})
+    for (const std::string_view values : {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer"})
         for (int bits = 0; bits < 16; ++bits) {
             const auto value = [&](int bit) { return (bits >> bit & 1) != 0 ? "on" : "off"; };
             variants.push_back(variantOf(pack(), "bilateral_upsample",
@@ -36,7 +36,7 @@ std::vector<Variant> allVariants() {
 
 TEST_P(BilateralUpsample, everyVariantEqualsTheOracleAtEverySize) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), {rg32f});
+        Pass pass(variant, GetParam(), {rgba32f});
         for (const auto& [width, height] : sizes) {
             const auto frame = bilateralUpsampleCase(variant, width, height, 111);
             const Comparison result = compareWithOracle(frame, run(pass, frame)[0]);
@@ -64,7 +64,7 @@ bool mayReach(int ratio, glm::ivec2 coarse, int x, int y) {
 
 TEST_P(BilateralUpsample, brokenTexelsStayInTheFootprintAndHaveNoShare) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), {rg32f});
+        Pass pass(variant, GetParam(), {rgba32f});
         for (const float value : poisons)
             for (int input = 0; input < 4; ++input) {
                 auto frame = bilateralUpsampleCase(variant, 23, 13, 113);

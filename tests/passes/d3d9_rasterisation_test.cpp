@@ -225,7 +225,7 @@ Comparison objectVelocity(const D3d9Pack& pack, const Variant& variant, Size siz
 Comparison depthDownsample(const D3d9Pack& pack, const Variant& variant, Size size) {
     const int ratio = reprise::switchValue(variant, "RATIO").front() - '0';
     const auto frame = randomDepthDownsampleCase(variant, ratio * size.width, ratio * size.height, 74);
-    Pass pass = fullscreenPass(pack, variant, {r32f});
+    Pass pass = fullscreenPass(pack, variant, wideFormats(variant));
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
@@ -242,19 +242,19 @@ Comparison ambientOcclusion(const D3d9Pack& pack, const Variant& variant, Size s
 
 Comparison reprojectionCache(const D3d9Pack& pack, const Variant& variant, Size size) {
     const auto frame = reprojectionCacheCase(variant, 2 * size.width, 2 * size.height, 76);
-    Pass pass = fullscreenPass(pack, variant, {rgba32f});
-    return compareWithOracle(frame, run(pass, frame)[0]);
+    Pass pass = fullscreenPass(pack, variant, wideFormats(variant));
+    return compareWithOracle(frame, run(pass, frame));
 }
 
 Comparison bilateralFilter(const D3d9Pack& pack, const Variant& variant, Size size) {
     const auto frame = bilateralFilterCase(variant, size.width, size.height, {1, 0}, 77);
-    Pass pass = fullscreenPass(pack, variant, {rgba32f});
+    Pass pass = fullscreenPass(pack, variant, wideFormats(variant));
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 
 Comparison bilateralUpsample(const D3d9Pack& pack, const Variant& variant, Size size) {
     const auto frame = bilateralUpsampleCase(variant, size.width, size.height, 78);
-    Pass pass = fullscreenPass(pack, variant, {rg32f});
+    Pass pass = fullscreenPass(pack, variant, wideFormats(variant));
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 

@@ -76,5 +76,21 @@ TEST_P(DepthDownsample, brokenDepthReachesItsOwnTexelAlone) {
     }
 }
 
+// HALF_DEPTH: the same depth in either image, of 11 significant bits in the second, and hardly nearer there.
+TEST_P(DepthDownsample, halfDepthIsTheSame) {
+    const Variant variant = variantOf(pack(), "depth_downsample", {{"HALF_DEPTH", "on"}});
+    Pass pass(variant, GetParam());
+    const auto frame = randomDepthDownsampleCase(variant, 39, 27, 58);
+    const auto got = run(pass, frame);
+    ASSERT_EQ(got.size(), 2u);
+    EXPECT_TRUE(compareWithOracle(frame, got[0]).holds());
+    for (int y = 0; y < got[0].height; ++y)
+        for (int x = 0; x < got[0].width; ++x) {
+            const float depth = got[0].at(x, y, 0), half = got[1].at(x, y, 0);
+            ASSERT_GE(half, depth * (1.0f - 0x1.01p-11f));
+            ASSERT_LE(half, depth * (1.0f + 0x1.01p-10f));
+        }
+}
+
 } // namespace
 } // namespace passes

@@ -8,6 +8,7 @@
 #include "depth_downsample_case.hpp"
 #include "depth_hierarchy_case.hpp"
 #include "fullscreen_case.hpp"
+#include "lighting_cache_case.hpp"
 #include "object_case.hpp"
 #include "reprojection_cache_case.hpp"
 #include "scalable_obscurance_case.hpp"
@@ -47,7 +48,7 @@ Comparison checkReprojectionCache(Stage stage) {
     const Variant variant = variantOf(pack(), "reprojection_cache");
     Pass pass(variant, stage);
     const ReprojectionCacheCase frame = reprojectionCacheCase(variant, 33, 17, 55);
-    return compareWithOracle(frame, run(pass, frame)[0]);
+    return compareWithOracle(frame, run(pass, frame));
 }
 
 Comparison checkBilateralFilter(Stage stage) {
@@ -69,6 +70,13 @@ Comparison checkSunShadow(Stage stage) {
     Pass pass(variant, stage);
     const SunShadowCase frame = sunShadowCase(variant, Surfaces::corner, 33, 17, 58);
     return compareWithOracle(frame, run(pass, frame)[0]);
+}
+
+Comparison checkLightingCache(Stage stage) {
+    const Variant variant = variantOf(pack(), "lighting_cache");
+    Pass pass(variant, stage);
+    const LightingCacheCase frame = lightingCacheCase(variant, 33, 17, 62);
+    return compareWithSeparate(frame, run(pass, frame), SeparatePasses(variant)(frame));
 }
 
 Comparison checkDepthHierarchy(Stage stage) {
@@ -127,6 +135,7 @@ constexpr PassCheck checks[] = {
     {"bilateral_filter", checkBilateralFilter},
     {"bilateral_upsample", checkBilateralUpsample},
     {"sun_shadow", checkSunShadow},
+    {"lighting_cache", checkLightingCache},
     {"depth_hierarchy", checkDepthHierarchy},
     {"scalable_obscurance", checkScalableObscurance},
     {"obscurance_filter", checkObscuranceFilter},

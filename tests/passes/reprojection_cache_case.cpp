@@ -13,13 +13,6 @@ double unit(uint64_t seed, int x, int y, uint64_t what) {
     return unitHash(seed, static_cast<uint64_t>(x + 7), static_cast<uint64_t>(y + 7), what);
 }
 
-CachePass::Values valuesOf(const Variant& variant) {
-    const auto value = reprise::switchValue(variant, "VALUES");
-    return value == "one"                    ? CachePass::Values::one
-           : value == "occlusion_in_integer" ? CachePass::Values::occlusionInInteger
-                                             : CachePass::Values::shadowInInteger;
-}
-
 // View depth of a tilted plane of the world at uv of a camera's frame.
 double planeDepth(const oracle::Camera& camera, glm::dvec2 uv) {
     const glm::dvec3 normal = glm::normalize(glm::dvec3(0.2, 0.3, -1.0)), point(0.0, 0.0, 9.0);
@@ -30,9 +23,13 @@ double planeDepth(const oracle::Camera& camera, glm::dvec2 uv) {
     return 1.0 + glm::dot(point - a, normal) / glm::dot(b - a, normal);
 }
 
-float channelOf(const CachePass& pass, uint64_t seed, int x, int y, uint64_t what) {
-    const glm::dvec2 values(unit(seed, x, y, what), unit(seed, x, y, what + 1));
-    return static_cast<float>(oracle::packedValues(pass, values));
+// Random values as a texel holds them, and depth where it has its place beside them.
+Texel valueTexel(const CachePass& pass, uint64_t seed, int x, int y, uint64_t what, double depth) {
+    glm::dvec4 values;
+    for (int i = 0; i < 4; ++i)
+        values[i] = unit(seed, x, y, what + static_cast<uint64_t>(i));
+    const glm::vec4 texel(oracle::packedValues(pass.values, values, depth));
+    return {texel.x, texel.y, texel.z, texel.w};
 }
 
 // Texel of the coarse image to UV of the frame.
@@ -46,7 +43,7 @@ constexpr double placeError = 0x1p-19, depthError = 1e-5;
 
 // Whether the part that becomes a whole number lies between two of them, where a rounding chooses either.
 // Means of a few whole numbers often do.
-bool isHalfway(const CachePass& pass, glm::dvec2 values) {
+bool isHalfway(const CachePass& pass, glm::dvec4 values) {
     const double whole = pass.values == CachePass::Values::occlusionInInteger ? values.x : values.y;
     return std::abs(glm::fract(31.0 * whole) - 0.5) < 1e-4;
 }
@@ -93,7 +90,7 @@ ReprojectionCacheCase reprojectionCacheCase(const Variant& variant, int width, i
     const double aspect = static_cast<double>(width) / height;
     pass.current = {viewOf({0.1, 0.05, -0.2}, {0.02, -0.01, 0.01}), projectionOf(kind, aspect)};
     pass.previous = {viewOf({0.0, 0.1, -0.3}, {0.04, 0.01, -0.02}), projectionOf(kind, aspect, 1.03)};
-    pass.values = valuesOf(variant);
+    pass.values = cachedValuesOf(variant);
     const std::string_view history = reprise::switchValue(variant, "HISTORY");
     pass.where = history == "motion"  ? CachePass::History::motion
                  : history == "still" ? CachePass::History::still
@@ -105,19 +102,26 @@ ReprojectionCacheCase reprojectionCacheCase(const Variant& variant, int width, i
     pass.frameExtent = {width, height};
     pass.motionToUv = {0.5, -0.5};
     const glm::ivec2 coarse = oracle::coarseExtent(pass.frameExtent, pass.ratio);
-    made.fresh = makePixels(rg32f, coarse.x, coarse.y, [&](int x, int y) {
+    const auto freshDepth = [&](int x, int y) {
         const double nearer = unit(seed, x / 4, y / 4, 1) < 0.2 ? 1.0 : 0.0;
-        const double depth = planeDepth(pass.current, frameUv(pass, x, y)) - nearer;
         const bool sky = unit(seed, x, y, 2) < 0.05;
-        return Texel{channelOf(pass, seed, x, y, 10), sky ? 65504.0f : static_cast<float>(depth)};
-    });
-    made.history = makePixels(rgba32f, coarse.x, coarse.y, [&](int x, int y) {
+        return sky ? 65504.0 : planeDepth(pass.current, frameUv(pass, x, y)) - nearer;
+    };
+    made.fresh = makePixels(rgba32f, coarse.x, coarse.y,
+                            [&](int x, int y) { return valueTexel(pass, seed, x, y, 10, freshDepth(x, y)); });
+    made.coarseDepth = makePixels(r32f, coarse.x, coarse.y,
+                                  [&](int x, int y) { return Texel{static_cast<float>(freshDepth(x, y))}; });
+    const auto historyDepth = [&](int x, int y) {
         // Depths differ by less than the threshold within the surface.
         const double other = unit(seed, x / 5, y / 5, 3) < 0.16 ? 1.5 : 0.1 * unit(seed, x, y, 4);
-        const double depth = planeDepth(pass.previous, frameUv(pass, x, y)) + other;
+        return planeDepth(pass.previous, frameUv(pass, x, y)) + other;
+    };
+    made.history = makePixels(rgba32f, coarse.x, coarse.y, [&](int x, int y) {
+        return valueTexel(pass, seed, x, y, 20, historyDepth(x, y));
+    });
+    made.state = makePixels(rg32f, coarse.x, coarse.y, [&](int x, int y) {
         const double frames = std::floor(20.0 * unit(seed, x, y, 5)) + 1.0;
-        return Texel{channelOf(pass, seed, x, y, 20), 0.0f, static_cast<float>(frames),
-                     static_cast<float>(depth)};
+        return Texel{static_cast<float>(frames), static_cast<float>(historyDepth(x, y))};
     });
     made.velocity = makePixels(rg32f, width, height, [&](int x, int y) {
         const double reach = unit(seed, x / 6, y / 6, 6) < 0.7 ? 8.0 : 80.0; // pixels of the frame
@@ -131,47 +135,63 @@ ReprojectionCacheCase reprojectionCacheCase(const Variant& variant, int width, i
 
 std::vector<Pixels> run(Pass& pass, const ReprojectionCacheCase& frame) {
     const NamedPixels inputs[] = {{"gInFresh", &frame.fresh},
+                                  {"gInCoarseDepth", &frame.coarseDepth},
                                   {"gInVelocity", &frame.velocity},
                                   {"gHistoryCache", &frame.history},
-                                  {"gHistoryCacheFiltered", &frame.history}};
+                                  {"gHistoryCacheFiltered", &frame.history},
+                                  {"gHistoryCacheState", &frame.state},
+                                  {"gHistoryCacheStateFiltered", &frame.state}};
     return pass(inputs, frame.parameters, frame.fresh.width, frame.fresh.height);
 }
 
-Comparison compareWithOracle(const ReprojectionCacheCase& frame, const Pixels& cache) {
+Comparison compareWithOracle(const ReprojectionCacheCase& frame, const std::vector<Pixels>& outputs) {
     const oracle::Image fresh = oracleImage(frame.fresh), velocity = oracleImage(frame.velocity);
-    const oracle::Image history = oracleImage(frame.history);
+    const oracle::Image coarseDepth = oracleImage(frame.coarseDepth);
+    const oracle::Image history = oracleImage(frame.history), state = oracleImage(frame.state);
     CachePass pass = frame.pass;
     pass.fresh = &fresh;
+    pass.coarseDepth = &coarseDepth;
     pass.velocity = &velocity;
     pass.history = &history;
-    const bool packed = pass.values != CachePass::Values::one;
-    const auto shown = [&](const oracle::CacheTexel& texel) {
-        return glm::dvec3(texel.packed, texel.frames, texel.depth);
+    pass.state = &state;
+    const bool packed = oracle::isPacked(pass.values);
+    // Two passes over three channels: the values and frames, then the rest of the values and depth.
+    const auto part = [&](bool rest) {
+        const auto shown = [&](const oracle::CacheTexel& texel) {
+            return rest ? glm::dvec3(texel.values.z, texel.values.w, texel.depth)
+                        : glm::dvec3(texel.values.x, texel.values.y, texel.frames);
+        };
+        const int own = rest ? 2 : 0;
+        const bool apart = oracle::isDepthApart(pass.values);
+        const Pixels got = makePixels(rgba32f, fresh.width, fresh.height, [&](int x, int y) {
+            const auto value = [&](int c) { return c < outputs[0].channels ? outputs[0].at(x, y, c) : 0.0f; };
+            const float depth = apart ? outputs[1].at(x, y, 1) : outputs[0].at(x, y, 1);
+            return Texel{value(own), value(own + 1), rest ? depth : outputs[1].at(x, y, 0)};
+        });
+        return compare(
+            got,
+            [&](int x, int y, bool careful) {
+                const glm::dvec3 value = shown(oracle::cacheTexel(pass, x, y));
+                glm::dvec3 bound;
+                for (int c = 0; c < 3; ++c)
+                    bound[c] = storeError(outputs[c == 2 ? 1 : 0].format, value[c]);
+                if (!careful) return Expected{value, bound};
+                // Steps of the filter's weights, where there is a filter.
+                const double error = placeError * fresh.width + (pass.bilinear ? linearFilterError() : 0.0);
+                glm::dvec3 most(1e-6, 1e-6, rest ? 0.0 : 1e-5);
+                if (!rest && !apart && pass.values != CachePass::Values::four) most.y = 0.0;
+                for (int i = 0; i < 27; ++i) {
+                    const glm::dvec2 away(error * (i % 3 - 1), error * (i / 3 % 3 - 1));
+                    const auto moved = oracle::cacheTexel(pass, x, y, away, depthError * (i / 9 - 1));
+                    most = glm::max(most, glm::abs(shown(moved) - value));
+                }
+                if (packed && !rest && isHalfway(pass, oracle::cacheTexel(pass, x, y).unpacked)) most.x = 1.0;
+                return Expected{value, bound + 1.5 * most};
+            },
+            3);
     };
-    // Channels 0, 2 and 3: what is compared is brought together.
-    Pixels got = makePixels(rgba32f, cache.width, cache.height, [&](int x, int y) {
-        return Texel{cache.at(x, y, 0), cache.at(x, y, 2), cache.at(x, y, 3), cache.at(x, y, 1)};
-    });
-    return compare(
-        got,
-        [&](int x, int y, bool careful) {
-            const glm::dvec3 value = shown(oracle::cacheTexel(pass, x, y));
-            glm::dvec3 bound(storeError(cache.format, value.x), storeError(cache.format, value.y),
-                             storeError(cache.format, value.z));
-            if (!careful) return Expected{value, bound};
-            // Steps of the filter's weights, where there is a filter.
-            const double error =
-                placeError * cache.width + (pass.bilinear && !packed ? linearFilterError() : 0.0);
-            glm::dvec3 most(1e-6, 1e-5, 0.0);
-            for (int i = 0; i < 27; ++i) {
-                const glm::dvec2 away(error * (i % 3 - 1), error * (i / 3 % 3 - 1));
-                const auto moved = oracle::cacheTexel(pass, x, y, away, depthError * (i / 9 - 1));
-                most = glm::max(most, glm::abs(shown(moved) - value));
-            }
-            if (packed && isHalfway(pass, oracle::cacheTexel(pass, x, y).values)) most.x = 1.0;
-            return Expected{value, bound + 1.5 * most};
-        },
-        3);
+    const Comparison first = part(false);
+    return first.holds() ? part(true) : first;
 }
 
 } // namespace passes

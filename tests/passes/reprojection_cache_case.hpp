@@ -2,6 +2,7 @@
 // Frames for reprojection_cache, its execution and its comparison with the oracle.
 #pragma once
 
+#include "bilateral_filter_case.hpp"
 #include "camera_case.hpp"
 #include "oracle/cache_pass.hpp"
 
@@ -9,7 +10,7 @@ namespace passes {
 
 struct ReprojectionCacheCase {
     oracle::CachePass pass; // images apart
-    Pixels fresh, velocity, history;
+    Pixels fresh, coarseDepth, velocity, history, state;
     reprise::ReprojectionCacheParameters parameters{};
 };
 
@@ -19,6 +20,7 @@ ReprojectionCacheCase reprojectionCacheCase(const Variant& variant, int width, i
 // Sets what the shader takes from `pass`, by the runtime's own functions.
 void setParameters(ReprojectionCacheCase& frame);
 std::vector<Pixels> run(Pass& pass, const ReprojectionCacheCase& frame);
-Comparison compareWithOracle(const ReprojectionCacheCase& frame, const Pixels& cache);
+// outputs: values and state.
+Comparison compareWithOracle(const ReprojectionCacheCase& frame, const std::vector<Pixels>& outputs);
 
 } // namespace passes

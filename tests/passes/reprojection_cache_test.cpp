@@ -25,7 +25,8 @@ std::vector<Variant> allVariants() {
     const auto add = [&](std::initializer_list<reprise::Condition> switches) {
         variants.push_back(variantOf(pack(), "reprojection_cache", switches));
     };
-    for (const std::string_view values : {"one", "occlusion_in_integer", "shadow_in_integer"}) {
+    for (const std::string_view values :
+         {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer"}) {
         for (const std::string_view resampling : {"nearest", "bilinear"})
             for (const std::string_view history : {"camera", "motion", "still"})
                 for (const std::string_view change : {"off", "on"})
@@ -42,11 +43,11 @@ std::vector<Variant> allVariants() {
 
 TEST_P(ReprojectionCache, everyVariantEqualsTheOracleAtEverySize) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), {rgba32f});
+        Pass pass(variant, GetParam(), {rgba32f, rg32f});
         for (const auto& [width, height] : sizes) {
             if (width > 64 && reprise::variantName(variant) != "reprojection_cache") continue;
             const auto frame = reprojectionCacheCase(variant, width, height, 91);
-            const Comparison result = compareWithOracle(frame, run(pass, frame)[0]);
+            const Comparison result = compareWithOracle(frame, run(pass, frame));
             EXPECT_TRUE(result.holds())
                 << describe(variant, GetParam(), width, height) << ": " << text(result);
         }
@@ -57,18 +58,19 @@ TEST_P(ReprojectionCache, everyVariantEqualsTheOracleAtEverySize) {
 // history holds.
 TEST_P(ReprojectionCache, invalidHistoryGivesTheFreshValue) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), {rgba32f});
+        Pass pass(variant, GetParam(), {rgba32f, rg32f});
         auto frame = reprojectionCacheCase(variant, 33, 17, 92);
         frame.pass.historyValid = 0.0;
         setParameters(frame);
         for (const float value : poisons) {
             std::fill(frame.history.values.begin(), frame.history.values.end(), value);
-            const Pixels got = run(pass, frame)[0];
-            for (int y = 0; y < got.height; ++y)
-                for (int x = 0; x < got.width; ++x) {
+            std::fill(frame.state.values.begin(), frame.state.values.end(), value);
+            const auto got = run(pass, frame);
+            for (int y = 0; y < got[0].height; ++y)
+                for (int x = 0; x < got[0].width; ++x) {
                     // Packing what was packed moves the fraction by roundings alone.
-                    ASSERT_NEAR(got.at(x, y, 0), frame.fresh.at(x, y, 0), 4e-6f) << value;
-                    ASSERT_EQ(got.at(x, y, 2), 1.0f) << value;
+                    ASSERT_NEAR(got[0].at(x, y, 0), frame.fresh.at(x, y, 0), 4e-6f) << value;
+                    ASSERT_EQ(got[1].at(x, y, 0), 1.0f) << value;
                 }
         }
     }
@@ -77,18 +79,20 @@ TEST_P(ReprojectionCache, invalidHistoryGivesTheFreshValue) {
 // Broken texels of every input: all that comes out is what a history can hold.
 TEST_P(ReprojectionCache, brokenTexelsLeaveNumbers) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), {rgba32f});
+        Pass pass(variant, GetParam(), {rgba32f, rg32f});
         const auto clean = reprojectionCacheCase(variant, 33, 17, 93);
         for (const float value : poisons)
-            for (int input = 0; input < 3; ++input) {
+            for (int input = 0; input < 5; ++input) {
                 auto frame = clean;
-                Pixels& poisoned = input == 0 ? frame.fresh : input == 1 ? frame.velocity : frame.history;
+                Pixels* const inputs[] = {&frame.fresh, &frame.velocity, &frame.history, &frame.state,
+                                          &frame.coarseDepth};
+                Pixels& poisoned = *inputs[input];
                 for (size_t i = 0; i < poisoned.values.size(); i += 5)
                     poisoned.values[i] = value;
-                const Pixels got = run(pass, frame)[0];
-                for (const float each : got.values)
-                    ASSERT_TRUE(std::abs(each) <= 65504.0f)
-                        << describe(variant, GetParam(), 33, 17) << ", input " << input << ": " << value;
+                for (const Pixels& got : run(pass, frame))
+                    for (const float each : got.values)
+                        ASSERT_TRUE(std::abs(each) <= 65504.0f)
+                            << describe(variant, GetParam(), 33, 17) << ", input " << input << ": " << value;
             }
     }
 }
@@ -97,15 +101,16 @@ TEST_P(ReprojectionCache, brokenTexelsLeaveNumbers) {
 // oracle, as does every other.
 TEST_P(ReprojectionCache, brokenHistoryIsNotUsed) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), {rgba32f});
+        Pass pass(variant, GetParam(), {rgba32f, rg32f});
         for (const float value : poisons)
-            for (const int channel : {0, 2, 3}) {
+            for (const int channel : {0, 1, 4, 5}) { // of the values, then of the state
                 auto frame = reprojectionCacheCase(variant, 33, 17, 94);
-                frame.history.at(7, 4, channel) = value;
+                (channel < 4 ? frame.history : frame.state).at(7, 4, channel % 4) = value;
                 // Between texels a filter spreads what is broken, to texels of weight 0 too.
-                const Pixels got = run(pass, frame)[0];
-                for (const float each : got.values)
-                    ASSERT_TRUE(std::abs(each) <= 65504.0f) << value;
+                const auto got = run(pass, frame);
+                for (const Pixels& image : got)
+                    for (const float each : image.values)
+                        ASSERT_TRUE(std::abs(each) <= 65504.0f) << value;
                 if (frame.pass.bilinear || frame.pass.where == oracle::CachePass::History::none) continue;
                 const Comparison result = compareWithOracle(frame, got);
                 EXPECT_TRUE(result.holds()) << describe(variant, GetParam(), 33, 17) << ", " << value
@@ -118,7 +123,7 @@ TEST_P(ReprojectionCache, brokenHistoryIsNotUsed) {
 // convergence counts them.
 TEST_P(ReprojectionCache, framesAreAveragedAndCounted) {
     const Variant variant = variantOf(pack(), "reprojection_cache");
-    Pass pass(variant, GetParam(), {rgba32f});
+    Pass pass(variant, GetParam(), {rgba32f, rg32f});
     auto frame = reprojectionCacheCase(variant, 32, 32, 95);
     frame.pass.previous = frame.pass.current;
     frame.pass.historyValid = 0.0;
@@ -129,10 +134,12 @@ TEST_P(ReprojectionCache, framesAreAveragedAndCounted) {
         sum += value;
         for (int i = 0; i < 16 * 16; ++i)
             frame.fresh.at(i % 16, i / 16, 0) = static_cast<float>(value);
-        frame.history = run(pass, frame)[0];
+        const auto got = run(pass, frame);
+        frame.history = got[0];
+        frame.state = got[1];
         for (int i = 0; i < 16 * 16; ++i) {
             ASSERT_NEAR(frame.history.at(i % 16, i / 16, 0), sum / n, 2e-6) << n;
-            ASSERT_NEAR(frame.history.at(i % 16, i / 16, 2), n, 1e-4) << n;
+            ASSERT_NEAR(frame.state.at(i % 16, i / 16, 0), n, 1e-4) << n;
         }
         frame.pass.historyValid = 1.0;
         setParameters(frame);
@@ -143,7 +150,7 @@ TEST_P(ReprojectionCache, framesAreAveragedAndCounted) {
 // where the jump is beyond what the values around scatter, and kept where it is within.
 TEST_P(ReprojectionCache, changesAreDetected) {
     Pass pass(variantOf(pack(), "reprojection_cache", {{"HISTORY", "still"}, {"CHANGE_DETECTION", "on"}}),
-              GetParam(), {rgba32f});
+              GetParam(), {rgba32f, rg32f});
     for (const bool jumps : {false, true}) {
         auto frame = reprojectionCacheCase(pass.variant(), 64, 64, 97);
         for (int y = 0; y < frame.fresh.height; ++y)
@@ -151,13 +158,13 @@ TEST_P(ReprojectionCache, changesAreDetected) {
                 const double noise = 0.2 * unitHash(98, static_cast<uint64_t>(x), static_cast<uint64_t>(y));
                 frame.fresh.at(x, y, 0) = static_cast<float>((jumps ? 0.8 : 0.4) + noise);
                 frame.history.at(x, y, 0) = 0.5f;
-                frame.history.at(x, y, 2) = 9.0f;
-                frame.history.at(x, y, 3) = frame.fresh.at(x, y, 1);
+                frame.history.at(x, y, 1) = frame.fresh.at(x, y, 1);
+                frame.state.at(x, y, 0) = 9.0f;
             }
-        const Pixels got = run(pass, frame)[0];
+        const Pixels got = run(pass, frame)[1];
         for (int y = 0; y < got.height; ++y)
             for (int x = 0; x < got.width; ++x)
-                ASSERT_EQ(got.at(x, y, 2), jumps ? 1.0f : 10.0f) << x << ", " << y;
+                ASSERT_EQ(got.at(x, y, 0), jumps ? 1.0f : 10.0f) << x << ", " << y;
     }
 }
 

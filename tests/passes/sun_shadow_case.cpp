@@ -75,6 +75,7 @@ SunShadowCase sunShadowCase(const Variant& variant, Surfaces surfaces, int width
     made.pass.frame = frame;
     made.pass.reversed = value("SHADOW_REVERSED") == "on";
     made.values = value("VALUES") == "one"                    ? SunShadowCase::Values::one
+                  : value("VALUES") == "two"                  ? SunShadowCase::Values::two
                   : value("VALUES") == "occlusion_in_integer" ? SunShadowCase::Values::occlusionInInteger
                                                               : SunShadowCase::Values::shadowInInteger;
 
@@ -124,6 +125,8 @@ Comparison compareWithOracle(const SunShadowCase& frame, const Pixels& shadow) {
             const double error = careful ? sun.error : 0.0, occlusion = frame.occlusion.at(x, y, 0);
             const double surface = oracle::surfaceDepth(pass.surface, x, y);
             if (frame.values == Values::one) return Expected{{sun.value, surface, 0.0}, {error, 0.0, 0.0}};
+            if (frame.values == Values::two)
+                return Expected{{frame.occlusion.at(x, y, 0), sun.value, 0.0}, {0.0, error, 0.0}};
             if (frame.values == Values::occlusionInInteger)
                 return Expected{{oracle::packPair(occlusion, sun.value), surface, 0.0}, {error, 0.0, 0.0}};
             // A sample more or less is some levels; roundings alone are none, for the mean of a power of two

@@ -10,7 +10,7 @@ namespace passes {
 
 struct SunShadowCase {
     oracle::SunShadow pass; // images apart
-    enum class Values { one, occlusionInInteger, shadowInInteger } values = Values::one;
+    enum class Values { one, two, occlusionInInteger, shadowInInteger } values = Values::one;
     reprise::CameraFrame camera;
     std::vector<reprise::ShadowCascade> cascades;
     Pixels depth, map, occlusion;

@@ -28,6 +28,7 @@ std::vector<Variant> variants() {
     found.push_back(variantOf(pack(), "sun_shadow",
                               {{"CASCADES", "4"}, {"ORTHOGRAPHIC", "on"}, {"SHADOW_REVERSED", "on"}}));
     found.push_back(variantOf(pack(), "sun_shadow", {{"CASCADES", "2"}, {"VALUES", "shadow_in_integer"}}));
+    found.push_back(variantOf(pack(), "sun_shadow", {{"ORTHOGRAPHIC", "on"}, {"VALUES", "two"}}));
     return found;
 }
 

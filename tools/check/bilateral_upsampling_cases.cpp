@@ -263,6 +263,66 @@ Case otherForms() {
         }};
 }
 
+// --- by depth alone, without a fallback
+
+// in0 bilinear weights, in1 depths, in2 which are usable, in3.x the depth of the pixel.
+std::vector<Row> depthRows(const Effort& effort) {
+    Random random(6);
+    std::vector<Row> rows;
+    const auto depth = [&] { return random.below(8) == 0 ? 65504.0f : std::exp2(random.in(-13.3f, 15.9f)); };
+    for (size_t i = 0; i < effort.of(60000); ++i) {
+        const float x = 0.125f + 0.25f * static_cast<float>(random.below(4)), y = random.in(0.125f, 0.875f);
+        Row row{vec4((1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y), vec4(0.0f), vec4(1.0f),
+                vec4(depth())};
+        for (int c = 0; c < 4; ++c) {
+            row[1][c] = i % 3 == 0
+                            ? std::min(row[3].x * (1.0f + std::exp2(random.in(-24.0f, 0.0f))), 65504.0f)
+                            : depth();
+            if (i % 2 == 0) row[2][c] = random.below(2) == 0 ? 1.0f : 0.0f;
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+std::vector<Right> depthSharesOracle(const Row& in) {
+    std::array<bool, 4> usable{};
+    for (int c = 0; c < 4; ++c)
+        usable[static_cast<size_t>(c)] = in[2][c] > 0.5f;
+    const auto shares = oracle::bilateralShares(dvec4(in[0]), dvec4(1.0), dvec4(in[1]), in[3].x, usable);
+    const dvec4 value(shares.of[0], shares.of[1], shares.of[2], shares.of[3]);
+    return {{value, 40.0 * value, 4}};
+}
+
+std::vector<Right> weightsOracle(const Row& in) {
+    const double x = in[0].x, y = in[0].y;
+    const dvec4 value((1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y);
+    return {{value, 3.0 * value, 4}};
+}
+
+std::vector<Case> depthAlone() {
+    return {
+        {"depth 1e-4 to 65504 m, any of four usable",
+         {"bilateralSharesOfDepths", {header}, "out0 = bilateralSharesOfDepths(in0, in1, in3.x, in2);", 4},
+         {Unit::roundings, 1.0, "three denominators a weight, the total's, and a division"},
+         [](const Effort& effort) {
+             return Sweep{depthRows(effort), depthSharesOracle};
+         }},
+        {"places 0 to 1",
+         {"bilinearWeightsAt", {header}, "out0 = bilinearWeightsAt(in0.xy);"},
+         {Unit::roundings, 1.0, "two differences from 1 and a product"},
+         [](const Effort& effort) {
+             Random random(7);
+             std::vector<Row> rows;
+             for (const float x : {0.0f, 0.25f, 0.625f, 1.0f})
+                 for (const float y : {0.0f, 0.25f, 0.625f, 1.0f})
+                     rows.push_back({vec4(x, y, 0, 0)});
+             for (size_t i = 0; i < effort.of(20000); ++i)
+                 rows.push_back({vec4(random.unit(), random.unit(), 0, 0)});
+             return Sweep{rows, weightsOracle};
+         }}};
+}
+
 } // namespace
 
 std::vector<Case> bilateralUpsamplingCases() {
@@ -306,6 +366,8 @@ std::vector<Case> bilateralUpsamplingCases() {
         all.back().printed = printedListing;
     }
     all.push_back(otherForms());
+    for (const Case& each : depthAlone())
+        all.push_back(each);
     return all;
 }
 

@@ -22,7 +22,7 @@ std::vector<Case> neighbourhoodCases();
 std::vector<Case> packingCases(); // occlusion_depth_packing, occlusion_shadow_packing
 std::vector<Case> reprojectionCacheCases();
 std::vector<Case> reprojectionCases();
-std::vector<Case> samplingCases(); // jitter, unjitter, motion_blur, resampling, quad_sharing
+std::vector<Case> samplingCases(); // jitter, sample_pattern, unjitter, motion_blur, resampling, quad_sharing
 std::vector<Case> toneMappingCases();
 
 } // namespace check

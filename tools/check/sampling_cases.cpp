@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// jitter.hlsli, unjitter.hlsli, motion_blur.hlsli, resampling.hlsli and quad_sharing.hlsli.
+// jitter.hlsli, sample_pattern.hlsli, unjitter.hlsli, motion_blur.hlsli, resampling.hlsli and
+// quad_sharing.hlsli.
+#include "ambient_occlusion.hpp"
 #include "cases.hpp"
 #include "images.hpp"
 #include "squares.hpp"
@@ -12,9 +14,9 @@ using functions::brokenImage;
 using functions::filterStep;
 using functions::randomImage;
 
-const std::string jitter = "reprise/jitter.hlsli", unjitter = "reprise/unjitter.hlsli",
-                  motionBlur = "reprise/motion_blur.hlsli", resampling = "reprise/resampling.hlsli",
-                  quadSharing = "reprise/quad_sharing.hlsli";
+const std::string jitter = "reprise/jitter.hlsli", pattern = "reprise/sample_pattern.hlsli",
+                  unjitter = "reprise/unjitter.hlsli", motionBlur = "reprise/motion_blur.hlsli",
+                  resampling = "reprise/resampling.hlsli", quadSharing = "reprise/quad_sharing.hlsli";
 
 // --- jitter
 
@@ -71,6 +73,28 @@ std::vector<Case> sequences() {
                                       right(oracle::uniform4HelixJitterPx(static_cast<uint64_t>(in[0].x)))};
                               }};
              }}};
+}
+
+// --- sample pattern
+
+Case dither() {
+    return {"pixels to 2^22",
+            {"pixelOffsets", {pattern}, "out0.xy = pixelOffsets(in0.xy);"},
+            {Unit::exact, 0.0, "sixteenths"},
+            [](const Effort& effort) {
+                Random random(15);
+                std::vector<Row> rows;
+                for (int i = 0; i < 64 * 64; ++i)
+                    rows.push_back({vec4(i % 64, i / 64, 0, 0)});
+                const auto any = [&] { return std::floor(std::exp2(random.in(0.0f, 22.0f))); };
+                for (size_t i = 0; i < effort.of(40000); ++i)
+                    rows.push_back({vec4(any(), any(), 0, 0)});
+                return Sweep{rows, [](const Row& in) {
+                                 const auto x = static_cast<int>(in[0].x), y = static_cast<int>(in[0].y);
+                                 return std::vector{right(
+                                     dvec2(oracle::orderedOffset(x, y), oracle::orderedOffset(y + 1, x)))};
+                             }};
+            }};
 }
 
 // --- unjitter
@@ -394,6 +418,7 @@ std::vector<Case> sharedInRows() {
 
 std::vector<Case> samplingCases() {
     std::vector<Case> all = sequences();
+    all.push_back(dither());
     for (const auto& more : {unjittering(), trusts(), blurs()})
         all.insert(all.end(), more.begin(), more.end());
     all.push_back(cubic("in and around 16x9, texels 0 to 1", randomImage(16, 9, 12), 1.0));

@@ -37,7 +37,7 @@ struct CheckOptions {
 struct PlanOptions {
     reprise::SceneNeeds needs;
     reprise::CacheSettings cache; // but for the next three
-    std::string occlusion = "ambient_occlusion", packing = "occlusion_in_integer";
+    std::string occlusion = "ambient_occlusion", packing = "shadow_in_integer";
     uint32_t samples = 0; // 0: the default of the pass `occlusion`
     std::string stage = "compute", preset = "best", size = "1920x1080";
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "converged.hpp"
 
+#include "reprise/ambient_occlusion.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -136,10 +138,10 @@ glm::dvec4 coarseViewRay(const reprise::CameraFrame& camera, VkExtent2D frame, u
 
 std::vector<float> meanOverCycle(harness::Gpu& gpu, Shaders& shaders, const Variant& variant,
                                  reprise::Stage stage, PassData data, uint32_t width, uint32_t height,
-                                 uint32_t count) {
+                                 uint32_t count, const std::function<void(uint32_t, PassData&)>& setFrame) {
     std::vector<double> sums(size_t{width} * height);
     for (uint32_t index = 0; index < count; ++index) {
-        data.parameters["gFrameIndex"] = {static_cast<float>(index)};
+        setFrame(index, data);
         harness::Image output = runOnce(gpu, shaders, variant, stage, data, width, height, valueFormat);
         const std::vector<float> values = gpu.downloadFloats(output);
         for (size_t i = 0; i < sums.size(); ++i)
@@ -168,11 +170,16 @@ Converged convergedOcclusion(harness::Gpu& gpu, Shaders& shaders, RenderedFrame&
         // Of the engine's normals, which this variant does not read.
         {"gFrameToCoarse", {1.0f, 1.0f}},
         {"gRadius", {static_cast<float>(estimate.radius)}},
-        {"gSubsetCount", {static_cast<float>(subsets)}},
-        {"gBias", {static_cast<float>(estimate.bias.x), static_cast<float>(estimate.bias.y)}}};
+        {"gOcclusionBias", {static_cast<float>(estimate.bias.x), static_cast<float>(estimate.bias.y)}}};
     const Variant variant = variantOf(shaders, "ambient_occlusion", {{"SAMPLES", "32"}});
+    const auto setFrame = [](uint32_t index, PassData& frameData) {
+        std::vector<float>& taps = frameData.parameters["gTaps"];
+        taps.clear();
+        for (const glm::vec4& tap : reprise::occlusionTaps(32, index, subsets))
+            taps.insert(taps.end(), {tap.x, tap.y, tap.z, tap.w});
+    };
     converged.visibility = meanOverCycle(gpu, shaders, variant, estimate.stage, std::move(data),
-                                         converged.width, converged.height, subsets);
+                                         converged.width, converged.height, subsets, setFrame);
     return converged;
 }
 
@@ -201,8 +208,11 @@ Converged convergedObscurance(harness::Gpu& gpu, Shaders& shaders, RenderedFrame
                        {"gMovingPx", {1.0f}}};
     const Variant variant =
         variantOf(shaders, "scalable_obscurance", {{"SAMPLES", "33"}, {"TEMPORAL", "off"}});
+    const auto setFrame = [](uint32_t index, PassData& frameData) {
+        frameData.parameters["gFrameIndex"] = {static_cast<float>(index)};
+    };
     converged.visibility = meanOverCycle(gpu, shaders, variant, estimate.stage, std::move(data),
-                                         converged.width, converged.height, subsets);
+                                         converged.width, converged.height, subsets, setFrame);
     for (float& value : converged.visibility) {
         const double obscurance = (1.0 - double{value}) / clearIntensity;
         value = static_cast<float>(std::clamp(1.0 - estimate.intensity * obscurance, 0.0, 1.0));

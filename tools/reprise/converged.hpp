@@ -24,7 +24,7 @@ struct OcclusionEstimate {
     // resolution, upsampled, tells what upsampling costs.
     uint32_t ratio = 1;
     double radius = 1.0;          // metres, above 0
-    glm::dvec2 bias{0.01, 0.002}; // gBias of the pass: metres, metres per metre of depth
+    glm::dvec2 bias{0.01, 0.002}; // gOcclusionBias of the pass: metres, metres per metre of depth
     double skyDepth = 0.0;        // metres, a little less than the far plane
     reprise::Stage stage = reprise::Stage::fragment;
 };
@@ -43,18 +43,19 @@ struct ObscuranceEstimate {
 };
 
 // scalable_obscurance at full resolution with 33 taps, mean of its 16 rotations: a spiral of 528 taps a
-// pixel, which stops at black as a whole, not frame by frame. Of a frame rendered without jitter and with standard depth. Throws a sentence.
+// pixel, which stops at black as a whole, not frame by frame. Of a frame rendered without jitter and with
+// standard depth. Throws a sentence.
 Converged convergedObscurance(harness::Gpu& gpu, Shaders& shaders, RenderedFrame& frame,
                               const ObscuranceEstimate& estimate);
 
 // gViewRay of a pass that runs at a coarse resolution, whose last texels reach beyond a frame of odd size.
 glm::dvec4 coarseViewRay(const reprise::CameraFrame& camera, VkExtent2D frame, uint32_t ratio);
 
-// A pass run once for each frame index from 0 to `count`, its parameter gFrameIndex, and the mean of the
-// first channel of its only output. The converged form of a technique with a pattern per frame is one call of
-// it.
+// A pass run once for each frame index from 0 to `count`, whose parameters setFrame(index, data) sets, and
+// the mean of the first channel of its only output. The converged form of a technique with a pattern per
+// frame is one call of it.
 std::vector<float> meanOverCycle(harness::Gpu& gpu, Shaders& shaders, const reprise::Variant& variant,
                                  reprise::Stage stage, PassData data, uint32_t width, uint32_t height,
-                                 uint32_t count);
+                                 uint32_t count, const std::function<void(uint32_t, PassData&)>& setFrame);
 
 } // namespace report

@@ -84,11 +84,13 @@ std::string parametersRead(const reprisec::Reflection& reflection) {
 // that is not stored was computed from, reads of parameters among them.
 std::string foldedSum(const reprise::Variant& variant) {
     size_t components = 1;
-    for (const auto& image : variant.pass->outputs)
+    for (const auto& image : variant.pass->outputs) {
+        const std::string_view format = reprise::formatOf(variant, image);
         if (reprise::exists(variant, image))
-            components = std::max(components, image.format.starts_with("rgb")  ? size_t{4}
-                                              : image.format.starts_with("rg") ? size_t{2}
-                                                                               : size_t{1});
+            components = std::max(components, format.starts_with("rgb")  ? size_t{4}
+                                              : format.starts_with("rg") ? size_t{2}
+                                                                         : size_t{1});
+    }
     if (components == 4) return "sum";
     return components == 2 ? "float4(sum.xy + sum.zw, 0.0, 0.0)" : "float4(dot(sum, 1.0), 0.0, 0.0, 0.0)";
 }

@@ -6,6 +6,7 @@
 #include "rotations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -15,8 +16,8 @@ namespace report {
 namespace {
 
 constexpr const char *framework = "framework", *withoutHistory = "framework + history off",
-                     *reference = "reference", *packed = "packed, shadow_in_integer",
-                     *obscurance = "obscurance";
+                     *reference = "reference", *packed = "packed, shadow_in_integer", *two = "two values",
+                     *lean = "lean", *obscurance = "obscurance";
 
 class Judge {
 public:
@@ -31,6 +32,17 @@ public:
     }
     const Row* row(std::string_view technique, std::string_view variant, std::string_view scene) const {
         return row(technique, variant, scene, stage());
+    }
+    // The fastest of the variants in any stage, if one was timed.
+    const Row* fastest(std::string_view technique, std::span<const std::string_view> variants,
+                       std::string_view scene) const {
+        const Row* found = nullptr;
+        for (const reprise::Stage each : plan_.stages)
+            for (const std::string_view variant : variants) {
+                const Row* timed = row(technique, variant, scene, stageText(each));
+                if (timed && timed->gpu && (!found || timed->gpu->median < found->gpu->median)) found = timed;
+            }
+        return found;
     }
     std::string stage() const { return stageText(plan_.stages.front()); }
     const Plan& plan() const { return plan_; }
@@ -55,8 +67,21 @@ Json stagesOf(const Row& row) {
     return stages;
 }
 
+// Both in one cache.
+struct Cached {
+    const Row *occlusion = nullptr, *shadow = nullptr;
+};
+
+bool errLess(const Cached& ours, const Cached& theirs) {
+    const auto less = [](const Row* a, const Row* b) {
+        return a && b && a->error.rmse && b->error.rmse && *a->error.rmse < *b->error.rmse;
+    };
+    return less(ours.occlusion, theirs.occlusion) && less(ours.shadow, theirs.shadow);
+}
+
 // Drobot, Table 7.1: both in one cache against twelve samples of occlusion, upsampled, and 2x2 jittered
-// samples of the shadow map at full resolution.
+// samples of the shadow map at full resolution, each in its faster stage. Of the framework's settings the
+// fastest whose errors are lower; if there are none, the fastest.
 Claim table71(const Judge& judge) {
     Claim claim{
         "D11",
@@ -67,32 +92,45 @@ Claim table71(const Judge& judge) {
         nullptr,
         {}};
     const std::string scene = judge.panned();
-    const Row *occlusion = judge.row("occlusion", packed, scene),
-              *shadow = judge.row("shadow", packed, scene),
-              *occlusionReference = judge.row("occlusion", reference, scene),
-              *shadowReference = judge.row("shadow", reference, scene);
-    for (const Row* each : {occlusion, shadow, occlusionReference, shadowReference})
-        if (!each || !each->gpu) return claim;
-    const double ours = occlusion->gpu->median,
-                 theirs = occlusionReference->gpu->median + shadowReference->gpu->median;
+    const std::string_view references[] = {reference};
+    const Cached theirs{judge.fastest("occlusion", references, scene),
+                        judge.fastest("shadow", references, scene)};
+    if (!theirs.occlusion || !theirs.shadow) return claim;
+    Cached ours;
+    for (const std::string_view variant : {packed, two, lean}) {
+        const Row* row = judge.fastest("occlusion", {&variant, 1}, scene);
+        if (!row) continue;
+        const Cached each{row, judge.row("shadow", variant, scene, row->stage)};
+        const bool better = errLess(each, theirs), best = errLess(ours, theirs);
+        if (!ours.occlusion || (better && !best) ||
+            (better == best && row->gpu->median < ours.occlusion->gpu->median))
+            ours = each;
+    }
+    if (!ours.occlusion || !ours.shadow) return claim;
+    const double faster =
+        (theirs.occlusion->gpu->median + theirs.shadow->gpu->median) / ours.occlusion->gpu->median;
     claim.measured = {{"scene", scene},
-                      {"stage", judge.stage()},
-                      {"framework, ms", ours},
-                      {"reference, ms", theirs},
-                      {"times faster", theirs / ours},
-                      {"stages of the framework, ms", stagesOf(*occlusion)},
-                      {"stages of the reference's occlusion, ms", stagesOf(*occlusionReference)},
-                      {"stages of the reference's shadow, ms", stagesOf(*shadowReference)}};
-    claim.holds = theirs / ours >= 2.5;
-    if (!occlusion->error.rmse || !shadow->error.rmse || !occlusionReference->error.rmse ||
-        !shadowReference->error.rmse)
+                      {"framework", ours.occlusion->variant},
+                      {"stage", ours.occlusion->stage},
+                      {"framework, ms", ours.occlusion->gpu->median},
+                      {"reference, ms", theirs.occlusion->gpu->median + theirs.shadow->gpu->median},
+                      {"times faster", faster},
+                      {"stages of the framework, ms", stagesOf(*ours.occlusion)},
+                      {"stages of the reference's occlusion, ms", stagesOf(*theirs.occlusion)},
+                      {"stages of the reference's shadow, ms", stagesOf(*theirs.shadow)}};
+    if (const Row* usual =
+            judge.fastest("occlusion", std::array{std::string_view(packed), std::string_view(two)}, scene))
+        claim.measured["times faster, 4 samples, filtered"] =
+            faster * ours.occlusion->gpu->median / usual->gpu->median;
+    claim.holds = faster >= 2.5;
+    if (!ours.occlusion->error.rmse || !ours.shadow->error.rmse || !theirs.occlusion->error.rmse ||
+        !theirs.shadow->error.rmse)
         return claim;
-    claim.measured["RMSE of occlusion"] = *occlusion->error.rmse;
-    claim.measured["RMSE of the reference's occlusion"] = *occlusionReference->error.rmse;
-    claim.measured["RMSE of shadow"] = *shadow->error.rmse;
-    claim.measured["RMSE of the reference's shadow"] = *shadowReference->error.rmse;
-    claim.holds = *claim.holds && *occlusion->error.rmse < *occlusionReference->error.rmse &&
-                  *shadow->error.rmse < *shadowReference->error.rmse;
+    claim.measured["RMSE of occlusion"] = *ours.occlusion->error.rmse;
+    claim.measured["RMSE of the reference's occlusion"] = *theirs.occlusion->error.rmse;
+    claim.measured["RMSE of shadow"] = *ours.shadow->error.rmse;
+    claim.measured["RMSE of the reference's shadow"] = *theirs.shadow->error.rmse;
+    claim.holds = *claim.holds && errLess(ours, theirs);
     return claim;
 }
 
@@ -236,10 +274,13 @@ std::vector<Claim> judgeLighting(const Report& report, const Plan& plan) {
         within(judge, {"cost, copy",
                        "Occlusion by the framework takes at most 3.2 times a copy (a GPU, compute form)",
                        "occlusion", framework, &Row::perCopy, 3.2, false}));
+    // As whichever is faster there.
+    const std::string_view ways[] = {packed, two};
+    const Row* faster = judge.fastest("occlusion", ways, judge.panned());
     claims.push_back(within(
         judge, {"cost, both",
                 "Occlusion and shadow in one cache take at most 4.5 times a copy (a GPU, compute form)",
-                "occlusion", packed, &Row::perCopy, 4.5, false}));
+                "occlusion", faster ? faster->variant : packed, &Row::perCopy, 4.5, false}));
     return claims;
 }
 

@@ -136,12 +136,11 @@ void addPass(Experiment& e, Stopwatch& watch, const std::string& section, const 
 
 std::vector<std::byte> parametersOf(const PlannedPass& pass, const reprise::FramePlan& plan,
                                     const reprise::SceneNeeds& needs, const TimedInput& input) {
-    const std::string_view name = pass.variant.pass->name;
     const VkExtent2D extent{input.size.width, input.size.height};
     const reprise::CacheFrame frame{
-        input.frames[0].camera,  extent, plan.cache.ratio, true, needs.reversedDepth, needs.linearDepth,
+        input.frames[0].camera,  extent, plan.cache, true, needs.reversedDepth, needs.linearDepth,
         needs.engineWritesMotion};
-    return orThrow(reprise::cacheParameters(name, pass.run, input.frames[1], frame));
+    return orThrow(reprise::cacheParameters(pass, input.frames[1], frame));
 }
 
 // Which passes of a plan are timed alone, beside the frame as the recorder records it.

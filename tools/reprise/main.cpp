@@ -62,10 +62,11 @@ void addCacheOptions(CLI::App& command, PlanOptions& o) {
     addOff(command, "--no-history", c.history, "The cache keeps nothing from frame to frame");
     addOff(command, "--no-change-detection", c.detectsChanges, "History is kept where the values change");
     addOff(command, "--no-filter", c.filter, "The cache is not filtered");
+    addOff(command, "--no-merging", c.merges, "Occlusion, shadow and cache are passes of their own");
     command.add_flag("--filter-history", c.filtersHistory, "What is filtered is the next frame's history");
     command
         .add_option("--packing", o.packing,
-                    "Of occlusion and shadow: occlusion_in_integer or shadow_in_integer")
+                    "Of occlusion and shadow: shadow_in_integer, occlusion_in_integer or two")
         ->capture_default_str();
 }
 
@@ -86,7 +87,8 @@ void addPlan(CLI::App& app, PlanOptions& o, std::function<void()>& run) {
     command->add_flag("--ambient-occlusion", n.ambientOcclusion, "Occlusion is computed and cached");
     command->add_flag("--sun-shadows", n.sunShadows, "Shadows of the sun are filtered and cached");
     command->add_flag("--reversed-shadows", n.reversedShadows, "Depth of the shadow map is reversed");
-    command->add_flag("--cached-value", n.cachedValue, "A value of the engine's is cached");
+    command->add_option("--cached-channels", n.cachedChannels, "Of the engine's own values, 1 to 4")
+        ->capture_default_str();
     command->add_flag("--normals", n.normals, "The engine gives normals in view space");
     command->add_flag("--combine-lighting", n.combinesLighting, "Light is put together with its visibility");
     command->add_flag("--other-light", n.otherLight,

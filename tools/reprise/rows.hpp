@@ -16,7 +16,7 @@ struct RowSpec {
     std::string label;                       // "inside + constraint clamp"
     std::optional<reprise::Variant> variant; // absent: the image as rendered, without anti-aliasing
     reprise::JitterSequence jitter = reprise::JitterSequence::halton16;
-    bool cutIsTold = true; // history is declared invalid at the scene's camera cut
+    bool cutIsTold = true;         // history is declared invalid at the scene's camera cut
     std::string preset = "inside"; // whose feedback weights the row has
 };
 

@@ -19,8 +19,8 @@ using harness::PassRunner;
 using reprise::Stage;
 using reprise::Variant;
 
-VkFormat formatOf(const reprise::ImageInfo& image) {
-    const auto format = reprise::formatByName(image.format);
+VkFormat recommendedFormat(const Variant& variant, const reprise::ImageInfo& image) {
+    const auto format = reprise::formatByName(reprise::formatOf(variant, image));
     if (!format) throw std::runtime_error(fmt::format("{} has an unknown format in the table", image.name));
     return *format;
 }
@@ -109,7 +109,7 @@ void Stopwatch::addPass(const Variant& variant, Stage stage, const PassData& dat
     for (size_t slot = 0; slot < variant.pass->outputs.size(); ++slot) {
         const auto& info = variant.pass->outputs[slot];
         if (!reprise::exists(variant, info)) continue;
-        bound.formats.push_back(formatOf(info));
+        bound.formats.push_back(recommendedFormat(variant, info));
         bound.bindings.push_back({info.name, &output(slot, bound.formats.back())});
     }
     const auto parameters =

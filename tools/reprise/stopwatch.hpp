@@ -41,7 +41,7 @@ public:
 
     std::vector<Floor> floors() const;
     const Timing& floorOf(std::string_view kind, reprise::Stage stage) const; // "copy", "nine taps"
-    Timing timing(const std::string& name) const; // of the section
+    Timing timing(const std::string& name) const;                             // of the section
     PassTiming passOf(const reprise::Variant& variant, reprise::Stage stage) const;
 
 private:

@@ -121,7 +121,7 @@ GlslNames namesOf(const Variant& variant) {
     for (const auto& output : variant.pass->outputs)
         if (reprise::exists(variant, output)) {
             names.outputs.emplace_back(output.name);
-            names.formats.emplace(output.name, output.format);
+            names.formats.emplace(output.name, reprise::formatOf(variant, output));
         }
     return names;
 }

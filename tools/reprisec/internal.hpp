@@ -37,6 +37,7 @@ struct Pack::Storage {
     std::deque<std::vector<std::string_view>> textLists;
     std::deque<std::vector<Stage>> stageLists;
     std::deque<std::vector<reprise::Condition>> conditionLists;
+    std::deque<std::vector<reprise::FormatChoice>> formatLists;
     std::deque<std::vector<reprise::SwitchInfo>> switchLists;
     std::deque<std::vector<reprise::BindingInfo>> bindingLists;
     std::deque<std::vector<reprise::ImageInfo>> imageLists;

@@ -23,7 +23,9 @@ struct Scene {
     std::deque<std::string> texts; // what the views in `settings` point to
 };
 
-constexpr std::pair<std::string_view, bool SceneNeeds::*> needFields[] = {
+using NeedField = std::variant<bool SceneNeeds::*, uint32_t SceneNeeds::*>;
+
+constexpr std::pair<std::string_view, NeedField> needFields[] = {
     {"antiAliasing", &SceneNeeds::antiAliasing},
     {"cameraMoves", &SceneNeeds::cameraMoves},
     {"objectsMove", &SceneNeeds::objectsMove},
@@ -37,20 +39,25 @@ constexpr std::pair<std::string_view, bool SceneNeeds::*> needFields[] = {
     {"ambientOcclusion", &SceneNeeds::ambientOcclusion},
     {"sunShadows", &SceneNeeds::sunShadows},
     {"reversedShadows", &SceneNeeds::reversedShadows},
-    {"cachedValue", &SceneNeeds::cachedValue},
     {"normals", &SceneNeeds::normals},
     {"combinesLighting", &SceneNeeds::combinesLighting},
-    {"otherLight", &SceneNeeds::otherLight}};
-static_assert(std::size(needFields) == sizeof(SceneNeeds) / sizeof(bool), "a need has no name here");
+    {"otherLight", &SceneNeeds::otherLight},
+    {"cachedChannels", &SceneNeeds::cachedChannels}};
 
-using CacheField =
-    std::variant<bool CacheSettings::*, uint32_t CacheSettings::*, std::string_view CacheSettings::*>;
+using CacheField = std::variant<bool CacheSettings::*, uint32_t CacheSettings::*, float CacheSettings::*,
+                                std::string_view CacheSettings::*>;
 
 constexpr std::pair<std::string_view, CacheField> cacheFields[] = {
-    {"occlusion", &CacheSettings::occlusion}, {"ratio", &CacheSettings::ratio},
-    {"samples", &CacheSettings::samples},     {"cascades", &CacheSettings::cascades},
-    {"history", &CacheSettings::history},     {"detectsChanges", &CacheSettings::detectsChanges},
-    {"filter", &CacheSettings::filter},       {"filtersHistory", &CacheSettings::filtersHistory},
+    {"occlusion", &CacheSettings::occlusion},
+    {"ratio", &CacheSettings::ratio},
+    {"samples", &CacheSettings::samples},
+    {"cascades", &CacheSettings::cascades},
+    {"history", &CacheSettings::history},
+    {"detectsChanges", &CacheSettings::detectsChanges},
+    {"merges", &CacheSettings::merges},
+    {"filter", &CacheSettings::filter},
+    {"filtersHistory", &CacheSettings::filtersHistory},
+    {"filterStep", &CacheSettings::filterStep},
     {"packing", &CacheSettings::packing}};
 
 // Thrown while reading, caught in readScene.
@@ -85,6 +92,12 @@ uint32_t wholeNumber(const toml::node& node) {
     return static_cast<uint32_t>(*value);
 }
 
+float number(const toml::node& node) {
+    const auto value = node.value<double>();
+    if (!node.is_number() || !value) fail(node, "this must be a number");
+    return static_cast<float>(*value);
+}
+
 // The member that `key` names; `kind` is what the message calls one.
 template <class Fields>
 auto fieldOf(const Fields& fields, std::string_view kind, const toml::key& key, const toml::node& value) {
@@ -98,7 +111,11 @@ auto fieldOf(const Fields& fields, std::string_view kind, const toml::key& key, 
 }
 
 void readNeed(Scene& scene, const toml::key& key, const toml::node& value) {
-    scene.needs.*fieldOf(needFields, "need", key, value) = flag(value, "a need is true or false");
+    const NeedField field = fieldOf(needFields, "need", key, value);
+    if (const auto* number = std::get_if<uint32_t SceneNeeds::*>(&field))
+        scene.needs.*(*number) = wholeNumber(value);
+    else
+        scene.needs.*std::get<bool SceneNeeds::*>(field) = flag(value, "a need is true or false");
 }
 
 void readCacheSetting(Scene& scene, const toml::key& key, const toml::node& value) {
@@ -106,8 +123,10 @@ void readCacheSetting(Scene& scene, const toml::key& key, const toml::node& valu
     const CacheField field = fieldOf(cacheFields, "setting of the cache", key, value);
     if (const auto* yesNo = std::get_if<bool CacheSettings::*>(&field))
         cache.*(*yesNo) = flag(value, "this must be true or false");
-    else if (const auto* number = std::get_if<uint32_t CacheSettings::*>(&field))
-        cache.*(*number) = wholeNumber(value);
+    else if (const auto* whole = std::get_if<uint32_t CacheSettings::*>(&field))
+        cache.*(*whole) = wholeNumber(value);
+    else if (const auto* size = std::get_if<float CacheSettings::*>(&field))
+        cache.*(*size) = number(value);
     else
         cache.*std::get<std::string_view CacheSettings::*>(field) = text(scene, value);
 }

@@ -13,6 +13,7 @@ namespace {
 using reprise::BindingInfo;
 using reprise::BindingKind;
 using reprise::Condition;
+using reprise::FormatChoice;
 using reprise::ImageInfo;
 using reprise::PresetInfo;
 using reprise::SwitchInfo;
@@ -93,6 +94,7 @@ private:
     std::vector<std::string_view> textList(const toml::table& parent, std::string_view key);
     std::span<const Condition> conditions(const toml::table& parent, std::string_view key,
                                           const PassInfo& pass);
+    std::span<const FormatChoice> formatsBy(const toml::table& parent, const PassInfo& pass);
     SwitchInfo readSwitch(const toml::table& table);
     ImageInfo readImage(const toml::table& table, const PassInfo& pass);
     void readInput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
@@ -166,6 +168,21 @@ SwitchInfo Reader::readSwitch(const toml::table& table) {
     return info;
 }
 
+// { SWITCH = { value = "format" } }
+std::span<const FormatChoice> Reader::formatsBy(const toml::table& parent, const PassInfo& pass) {
+    if (!parent.contains("format_by")) return {};
+    auto& list = storage_.formatLists.emplace_back();
+    for (const auto& [name, choices] : table(need(parent, "format_by")))
+        for (const auto& [value, format] : table(choices)) {
+            Variant probe{&pass, {}};
+            if (auto set = reprise::setSwitch(probe, name.str(), value.str()); !set)
+                fail(format, set.error().message);
+            list.push_back({{keep(std::string(name.str())), keep(std::string(value.str()))},
+                            keep(as<std::string>(format, "a string"))});
+        }
+    return list;
+}
+
 ImageInfo Reader::readImage(const toml::table& table, const PassInfo& pass) {
     ImageInfo image{};
     image.name = text(table, "name");
@@ -186,6 +203,7 @@ ImageInfo Reader::readImage(const toml::table& table, const PassInfo& pass) {
     image.history = textOr(table, "history");
     image.sameAs = textOr(table, "same_as");
     image.when = conditions(table, "when", pass);
+    image.formatBy = formatsBy(table, pass);
     return image;
 }
 
@@ -200,8 +218,8 @@ void Reader::addBinding(const toml::table& table, std::vector<BindingInfo>& bind
 
 void Reader::readInput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
                        std::vector<BindingInfo>& bindings) {
-    allow(table, {"name", "binding", "filter", "kind", "space", "format", "scale", "width_scale", "when",
-                  "history", "same_as"});
+    allow(table, {"name", "binding", "filter", "kind", "space", "format", "format_by", "scale", "width_scale",
+                  "when", "history", "same_as"});
     const ImageInfo image = readImage(table, pass);
     images.push_back(image);
     const uint32_t binding = number(need(table, "binding"));
@@ -223,7 +241,7 @@ void Reader::readInput(const toml::table& table, const PassInfo& pass, std::vect
 
 void Reader::readOutput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
                         std::vector<BindingInfo>& bindings) {
-    allow(table, {"name", "binding", "space", "format", "scale", "width_scale", "when"});
+    allow(table, {"name", "binding", "space", "format", "format_by", "scale", "width_scale", "when"});
     const ImageInfo image = readImage(table, pass);
     if (image.format.empty()) fail(table, "an output needs a format; add it");
     if (image.scale == 0.0f) fail(table, "an output has a share of the frame's extent; give a scale above 0");

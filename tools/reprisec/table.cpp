@@ -79,6 +79,15 @@ std::string addConditions(Arrays& arrays, const std::string& name,
     return arrays.add("Condition", name, elements, true);
 }
 
+std::string addFormats(Arrays& arrays, const std::string& name,
+                       std::span<const reprise::FormatChoice> choices) {
+    std::vector<std::string> elements;
+    for (const auto& each : choices)
+        elements.push_back("{{" + literal(each.when.switchName) + ", " + literal(each.when.value) + "}, " +
+                           literal(each.format) + "}");
+    return arrays.add("FormatChoice", name, elements, true);
+}
+
 std::string addSwitches(Arrays& arrays, const std::string& pass, const PassInfo& info) {
     std::vector<std::string> elements;
     for (const auto& each : info.switches) {
@@ -101,10 +110,13 @@ std::string addImages(Arrays& arrays, const std::string& pass, const char* what,
     for (const auto& each : images) {
         const std::string when =
             addConditions(arrays, pass + "_" + std::string(each.name) + "_when", each.when);
-        const std::string width = each.widthScale == 1.0f ? "" : ", " + std::to_string(each.widthScale) + "f";
+        std::string rest = each.widthScale == 1.0f ? "" : ", " + std::to_string(each.widthScale) + "f";
+        if (!each.formatBy.empty())
+            rest = ", " + std::to_string(each.widthScale) + "f, " +
+                   addFormats(arrays, pass + "_" + std::string(each.name) + "_formats", each.formatBy);
         elements.push_back("{" + literal(each.name) + ", " + literal(each.space) + ", " +
                            literal(each.format) + ", " + std::to_string(each.scale) + "f, " +
-                           literal(each.history) + ", " + when + ",\n     " + literal(each.sameAs) + width +
+                           literal(each.history) + ", " + when + ",\n     " + literal(each.sameAs) + rest +
                            "}");
     }
     return arrays.add("ImageInfo", pass + "_" + what, elements);

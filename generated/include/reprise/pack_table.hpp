@@ -72,6 +72,7 @@ namespace bindings::depth_downsample {
 inline constexpr uint32_t DepthDownsampleParameters = 0;
 inline constexpr uint32_t gInDepth = 1;
 inline constexpr uint32_t gOutCoarseDepth = 16;
+inline constexpr uint32_t gOutHalfDepth = 17;
 inline constexpr uint32_t gInDepth_sampler = 33;
 }
 
@@ -80,20 +81,19 @@ struct alignas(16) AmbientOcclusionParameters {
     float gOutputSize[4];   // float4
     float gViewRay[4];   // float4
     float gRadius;
-    float gFrameIndex;
-    float gSubsetCount;
+    float gOcclusionBias[2];   // float2
     float pad0[1];
-    float gBias[2];   // float2
     float gFrameToCoarse[2];   // float2
+    float pad1[2];
+    float gTaps[128];   // float4[32]
 };
-static_assert(sizeof(AmbientOcclusionParameters) == 64);
+static_assert(sizeof(AmbientOcclusionParameters) == 576);
 static_assert(offsetof(AmbientOcclusionParameters, gOutputSize) == 0);
 static_assert(offsetof(AmbientOcclusionParameters, gViewRay) == 16);
 static_assert(offsetof(AmbientOcclusionParameters, gRadius) == 32);
-static_assert(offsetof(AmbientOcclusionParameters, gFrameIndex) == 36);
-static_assert(offsetof(AmbientOcclusionParameters, gSubsetCount) == 40);
-static_assert(offsetof(AmbientOcclusionParameters, gBias) == 48);
-static_assert(offsetof(AmbientOcclusionParameters, gFrameToCoarse) == 56);
+static_assert(offsetof(AmbientOcclusionParameters, gOcclusionBias) == 36);
+static_assert(offsetof(AmbientOcclusionParameters, gFrameToCoarse) == 48);
+static_assert(offsetof(AmbientOcclusionParameters, gTaps) == 64);
 namespace bindings::ambient_occlusion {
 inline constexpr uint32_t AmbientOcclusionParameters = 0;
 inline constexpr uint32_t gInCoarseDepth = 1;
@@ -119,7 +119,7 @@ struct alignas(16) SunShadowParameters {
     float gCascadeSize[4];   // float4
     float gDisc[3];   // float3
     float gFrameIndex;
-    float gBias[3];   // float3
+    float gShadowBias[3];   // float3
     float gSubsetCount;
 };
 static_assert(sizeof(SunShadowParameters) == 224);
@@ -137,7 +137,7 @@ static_assert(offsetof(SunShadowParameters, gCascadeFar) == 160);
 static_assert(offsetof(SunShadowParameters, gCascadeSize) == 176);
 static_assert(offsetof(SunShadowParameters, gDisc) == 192);
 static_assert(offsetof(SunShadowParameters, gFrameIndex) == 204);
-static_assert(offsetof(SunShadowParameters, gBias) == 208);
+static_assert(offsetof(SunShadowParameters, gShadowBias) == 208);
 static_assert(offsetof(SunShadowParameters, gSubsetCount) == 220);
 namespace bindings::sun_shadow {
 inline constexpr uint32_t SunShadowParameters = 0;
@@ -185,11 +185,108 @@ inline constexpr uint32_t gInFresh = 1;
 inline constexpr uint32_t gInVelocity = 2;
 inline constexpr uint32_t gHistoryCache = 3;
 inline constexpr uint32_t gHistoryCacheFiltered = 4;
+inline constexpr uint32_t gHistoryCacheState = 5;
+inline constexpr uint32_t gHistoryCacheStateFiltered = 6;
+inline constexpr uint32_t gInCoarseDepth = 7;
 inline constexpr uint32_t gOutCache = 16;
+inline constexpr uint32_t gOutCacheState = 17;
 inline constexpr uint32_t gInFresh_sampler = 33;
 inline constexpr uint32_t gInVelocity_sampler = 34;
 inline constexpr uint32_t gHistoryCache_sampler = 35;
 inline constexpr uint32_t gHistoryCacheFiltered_sampler = 36;
+inline constexpr uint32_t gHistoryCacheState_sampler = 37;
+inline constexpr uint32_t gHistoryCacheStateFiltered_sampler = 38;
+inline constexpr uint32_t gInCoarseDepth_sampler = 39;
+}
+
+// lighting_cache: Occlusion, shadow of the sun or both, computed and accumulated in one dispatch
+struct alignas(16) LightingCacheParameters {
+    float gViewToPreviousClip[16];   // float4x4
+    float gOutputSize[4];   // float4
+    float gViewRay[4];   // float4
+    float gToShadowX[4];   // float4
+    float gToShadowY[4];   // float4
+    float gToShadowZ[4];   // float4
+    float gCascadeScale1[4];   // float4
+    float gCascadeOffset1[4];   // float4
+    float gCascadeScale2[4];   // float4
+    float gCascadeOffset2[4];   // float4
+    float gCascadeScale3[4];   // float4
+    float gCascadeOffset3[4];   // float4
+    float gCascadeFar[4];   // float4
+    float gCascadeSize[4];   // float4
+    float gDisc[3];   // float3
+    float gFrameIndex;
+    float gShadowBias[3];   // float3
+    float gSubsetCount;
+    float gRadius;
+    float gOcclusionBias[2];   // float2
+    float pad0[1];
+    float gFrameToCoarse[2];   // float2
+    float gMotionToUv[2];   // float2
+    float gClipToDepth[2];   // float2
+    float gMissThreshold[2];   // float2
+    float gSpeedPx[2];   // float2
+    float gChange[2];   // float2
+    float gConvergenceTime;
+    float gMaxWeight;
+    float gHistoryValid;
+    float pad1[1];
+    float gTaps[128];   // float4[32]
+};
+static_assert(sizeof(LightingCacheParameters) == 896);
+static_assert(offsetof(LightingCacheParameters, gViewToPreviousClip) == 0);
+static_assert(offsetof(LightingCacheParameters, gOutputSize) == 64);
+static_assert(offsetof(LightingCacheParameters, gViewRay) == 80);
+static_assert(offsetof(LightingCacheParameters, gToShadowX) == 96);
+static_assert(offsetof(LightingCacheParameters, gToShadowY) == 112);
+static_assert(offsetof(LightingCacheParameters, gToShadowZ) == 128);
+static_assert(offsetof(LightingCacheParameters, gCascadeScale1) == 144);
+static_assert(offsetof(LightingCacheParameters, gCascadeOffset1) == 160);
+static_assert(offsetof(LightingCacheParameters, gCascadeScale2) == 176);
+static_assert(offsetof(LightingCacheParameters, gCascadeOffset2) == 192);
+static_assert(offsetof(LightingCacheParameters, gCascadeScale3) == 208);
+static_assert(offsetof(LightingCacheParameters, gCascadeOffset3) == 224);
+static_assert(offsetof(LightingCacheParameters, gCascadeFar) == 240);
+static_assert(offsetof(LightingCacheParameters, gCascadeSize) == 256);
+static_assert(offsetof(LightingCacheParameters, gDisc) == 272);
+static_assert(offsetof(LightingCacheParameters, gFrameIndex) == 284);
+static_assert(offsetof(LightingCacheParameters, gShadowBias) == 288);
+static_assert(offsetof(LightingCacheParameters, gSubsetCount) == 300);
+static_assert(offsetof(LightingCacheParameters, gRadius) == 304);
+static_assert(offsetof(LightingCacheParameters, gOcclusionBias) == 308);
+static_assert(offsetof(LightingCacheParameters, gFrameToCoarse) == 320);
+static_assert(offsetof(LightingCacheParameters, gMotionToUv) == 328);
+static_assert(offsetof(LightingCacheParameters, gClipToDepth) == 336);
+static_assert(offsetof(LightingCacheParameters, gMissThreshold) == 344);
+static_assert(offsetof(LightingCacheParameters, gSpeedPx) == 352);
+static_assert(offsetof(LightingCacheParameters, gChange) == 360);
+static_assert(offsetof(LightingCacheParameters, gConvergenceTime) == 368);
+static_assert(offsetof(LightingCacheParameters, gMaxWeight) == 372);
+static_assert(offsetof(LightingCacheParameters, gHistoryValid) == 376);
+static_assert(offsetof(LightingCacheParameters, gTaps) == 384);
+namespace bindings::lighting_cache {
+inline constexpr uint32_t LightingCacheParameters = 0;
+inline constexpr uint32_t gInCoarseDepth = 1;
+inline constexpr uint32_t gInVelocity = 2;
+inline constexpr uint32_t gHistoryCache = 3;
+inline constexpr uint32_t gHistoryCacheFiltered = 4;
+inline constexpr uint32_t gHistoryCacheState = 5;
+inline constexpr uint32_t gHistoryCacheStateFiltered = 6;
+inline constexpr uint32_t gInNormal = 7;
+inline constexpr uint32_t gInShadowMap = 8;
+inline constexpr uint32_t gInHalfDepth = 9;
+inline constexpr uint32_t gOutCache = 16;
+inline constexpr uint32_t gOutCacheState = 17;
+inline constexpr uint32_t gInCoarseDepth_sampler = 33;
+inline constexpr uint32_t gInVelocity_sampler = 34;
+inline constexpr uint32_t gHistoryCache_sampler = 35;
+inline constexpr uint32_t gHistoryCacheFiltered_sampler = 36;
+inline constexpr uint32_t gHistoryCacheState_sampler = 37;
+inline constexpr uint32_t gHistoryCacheStateFiltered_sampler = 38;
+inline constexpr uint32_t gInNormal_sampler = 39;
+inline constexpr uint32_t gInShadowMap_sampler = 40;
+inline constexpr uint32_t gInHalfDepth_sampler = 41;
 }
 
 // bilateral_filter: One direction of the bilateral filter, stronger where history is short
@@ -213,9 +310,13 @@ namespace bindings::bilateral_filter {
 inline constexpr uint32_t BilateralFilterParameters = 0;
 inline constexpr uint32_t gInCache = 1;
 inline constexpr uint32_t gInCacheFiltered = 2;
+inline constexpr uint32_t gInCacheState = 3;
+inline constexpr uint32_t gInCacheStateFiltered = 4;
 inline constexpr uint32_t gOutFiltered = 16;
 inline constexpr uint32_t gInCache_sampler = 33;
 inline constexpr uint32_t gInCacheFiltered_sampler = 34;
+inline constexpr uint32_t gInCacheState_sampler = 35;
+inline constexpr uint32_t gInCacheStateFiltered_sampler = 36;
 }
 
 // bilateral_upsample: A coarse value at full resolution, along the edges of the depth
@@ -471,6 +572,7 @@ inline constexpr std::string_view depth_downsample_CHECKERBOARD_values[] = {"off
 inline constexpr std::string_view depth_downsample_DEPTH_LINEAR_values[] = {"off", "on"};
 inline constexpr std::string_view depth_downsample_DEPTH_REVERSED_values[] = {"off", "on"};
 inline constexpr std::string_view depth_downsample_ORTHOGRAPHIC_values[] = {"off", "on"};
+inline constexpr std::string_view depth_downsample_HALF_DEPTH_values[] = {"off", "on"};
 inline constexpr SwitchInfo depth_downsample_switches[] = {
     {"RATIO", depth_downsample_RATIO_values, 1, "",
      "texels of the full image per coarse texel, along an axis; 1 makes linear depth of device depth", {}},
@@ -482,19 +584,25 @@ inline constexpr SwitchInfo depth_downsample_switches[] = {
      "closest is the largest device depth", {}},
     {"ORTHOGRAPHIC", depth_downsample_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
      "device depth is affine in linear depth", {}},
+    {"HALF_DEPTH", depth_downsample_HALF_DEPTH_values, 0, "lighting_cache reads it",
+     "the same depth is written with 16 bits too", {}},
 };
 inline constexpr BindingInfo depth_downsample_bindings[] = {
     {"DepthDownsampleParameters", 0, BindingKind::uniformBuffer},
     {"gInDepth", 1, BindingKind::sampledImage},
     {"gOutCoarseDepth", 16, BindingKind::storageImage},
+    {"gOutHalfDepth", 17, BindingKind::storageImage},
     {"gInDepth_sampler", 33, BindingKind::pointSampler},
 };
 inline constexpr ImageInfo depth_downsample_inputs[] = {
     {"gInDepth", "device depth [0,1], or metres with DEPTH_LINEAR", "r32f", 1.000000f, "", {},
      ""},
 };
+inline constexpr Condition depth_downsample_gOutHalfDepth_when[] = {{"HALF_DEPTH", "on"}};
 inline constexpr ImageInfo depth_downsample_outputs[] = {
     {"gOutCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
+     ""},
+    {"gOutHalfDepth", "linear depth, metres; 65504 is sky", "r16f", 0.500000f, "", depth_downsample_gOutHalfDepth_when,
      ""},
 };
 inline constexpr PackModule depth_downsample_modules[] = {
@@ -526,6 +634,10 @@ inline constexpr PackModule depth_downsample_modules[] = {
      "", ""},
     {"depth_downsample--orthographic-on", Stage::compute,
      "", ""},
+    {"depth_downsample--half_depth-on", Stage::fragment,
+     "", ""},
+    {"depth_downsample--half_depth-on", Stage::compute,
+     "", "ES 3.10 has no r16f storage images (gOutHalfDepth); use the fragment form"},
 };
 inline constexpr Stage ambient_occlusion_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view ambient_occlusion_SAMPLES_values[] = {"1", "2", "4", "8", "12", "16", "32"};
@@ -560,46 +672,46 @@ inline constexpr ImageInfo ambient_occlusion_outputs[] = {
 };
 inline constexpr PackModule ambient_occlusion_modules[] = {
     {"ambient_occlusion", Stage::fragment,
-     "", ""},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
     {"ambient_occlusion", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-1", Stage::fragment,
-     "", ""},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
     {"ambient_occlusion--samples-1", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-2", Stage::fragment,
-     "", ""},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
     {"ambient_occlusion--samples-2", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-8", Stage::fragment,
-     "", ""},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
     {"ambient_occlusion--samples-8", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-12", Stage::fragment,
-     "", ""},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
     {"ambient_occlusion--samples-12", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-16", Stage::fragment,
-     "", ""},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
     {"ambient_occlusion--samples-16", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-32", Stage::fragment,
-     "", ""},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
     {"ambient_occlusion--samples-32", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--normals-read", Stage::fragment,
-     "", ""},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
     {"ambient_occlusion--normals-read", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--orthographic-on", Stage::fragment,
-     "", ""},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
     {"ambient_occlusion--orthographic-on", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
 };
 inline constexpr Stage sun_shadow_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view sun_shadow_SAMPLES_values[] = {"1", "2", "4", "8", "12", "16", "32"};
 inline constexpr std::string_view sun_shadow_CASCADES_values[] = {"1", "2", "3", "4"};
-inline constexpr std::string_view sun_shadow_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view sun_shadow_VALUES_values[] = {"one", "two", "occlusion_in_integer", "shadow_in_integer"};
 inline constexpr std::string_view sun_shadow_ORTHOGRAPHIC_values[] = {"off", "on"};
 inline constexpr std::string_view sun_shadow_SHADOW_REVERSED_values[] = {"off", "on"};
 inline constexpr SwitchInfo sun_shadow_switches[] = {
@@ -607,8 +719,8 @@ inline constexpr SwitchInfo sun_shadow_switches[] = {
      "shadow texels a pixel and frame, one read each", {}},
     {"CASCADES", sun_shadow_CASCADES_values, 2, "",
      "columns of the shadow map", {}},
-    {"VALUES", sun_shadow_VALUES_values, 0, "occlusion and shadow share a channel",
-     "visibility alone, or packed with gInOcclusion, in either order", {}},
+    {"VALUES", sun_shadow_VALUES_values, 0, "occlusion and shadow share a cache",
+     "visibility alone; after gInOcclusion's; or packed with it in one number, in either order", {}},
     {"ORTHOGRAPHIC", sun_shadow_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
      "rays are parallel", {}},
     {"SHADOW_REVERSED", sun_shadow_SHADOW_REVERSED_values, 0, "depth of the shadow map is reversed",
@@ -624,7 +736,7 @@ inline constexpr BindingInfo sun_shadow_bindings[] = {
     {"gInShadowMap_sampler", 34, BindingKind::pointSampler},
     {"gInOcclusion_sampler", 35, BindingKind::pointSampler},
 };
-inline constexpr Condition sun_shadow_gInOcclusion_when[] = {{"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
+inline constexpr Condition sun_shadow_gInOcclusion_when[] = {{"VALUES", "two"}, {"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
 inline constexpr ImageInfo sun_shadow_inputs[] = {
     {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
      ""},
@@ -634,7 +746,7 @@ inline constexpr ImageInfo sun_shadow_inputs[] = {
      ""},
 };
 inline constexpr ImageInfo sun_shadow_outputs[] = {
-    {"gOutShadow", "visibility [0,1], or packed pair; linear depth, metres", "rg16f", 0.500000f, "", {},
+    {"gOutShadow", "visibility [0,1], or packed pair, and linear depth, metres; or both visibilities", "rg16f", 0.500000f, "", {},
      ""},
 };
 inline constexpr PackModule sun_shadow_modules[] = {
@@ -678,6 +790,10 @@ inline constexpr PackModule sun_shadow_modules[] = {
      "", ""},
     {"sun_shadow--cascades-4", Stage::compute,
      "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
+    {"sun_shadow--values-two", Stage::fragment,
+     "", ""},
+    {"sun_shadow--values-two", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutShadow); use the fragment form"},
     {"sun_shadow--values-occlusion_in_integer", Stage::fragment,
      "", ""},
     {"sun_shadow--values-occlusion_in_integer", Stage::compute,
@@ -697,17 +813,17 @@ inline constexpr PackModule sun_shadow_modules[] = {
 };
 inline constexpr Stage reprojection_cache_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view reprojection_cache_HISTORY_values[] = {"camera", "motion", "still", "none"};
-inline constexpr std::string_view reprojection_cache_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view reprojection_cache_VALUES_values[] = {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer"};
 inline constexpr std::string_view reprojection_cache_RESAMPLING_values[] = {"nearest", "bilinear"};
 inline constexpr std::string_view reprojection_cache_CHANGE_DETECTION_values[] = {"off", "on"};
 inline constexpr std::string_view reprojection_cache_ORTHOGRAPHIC_values[] = {"off", "on"};
 inline constexpr SwitchInfo reprojection_cache_switches[] = {
     {"HISTORY", reprojection_cache_HISTORY_values, 0, "motion: objects move, and motion vectors are at hand; still: nothing moves",
      "fetched by camera reprojection, along gInVelocity, at the same place, or not at all", {}},
-    {"VALUES", reprojection_cache_VALUES_values, 0, "occlusion and shadow share a channel",
-     "one value, or occlusion and shadow packed in one, in either order", {}},
+    {"VALUES", reprojection_cache_VALUES_values, 0, "more than one value is cached",
+     "how many; or occlusion and shadow packed in one number, in either order", {}},
     {"RESAMPLING", reprojection_cache_RESAMPLING_values, 1, "",
-     "how history is read between texels; packed values bilinear in four point reads", {}},
+     "how history is read between texels; packed pairs bilinear in four point reads", {}},
     {"CHANGE_DETECTION", reprojection_cache_CHANGE_DETECTION_values, 0, "occluders appear and disappear",
      "history that the fresh values around do not bear out is given up", {}},
     {"ORTHOGRAPHIC", reprojection_cache_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
@@ -719,116 +835,322 @@ inline constexpr BindingInfo reprojection_cache_bindings[] = {
     {"gInVelocity", 2, BindingKind::sampledImage},
     {"gHistoryCache", 3, BindingKind::sampledImage},
     {"gHistoryCacheFiltered", 4, BindingKind::sampledImage},
+    {"gHistoryCacheState", 5, BindingKind::sampledImage},
+    {"gHistoryCacheStateFiltered", 6, BindingKind::sampledImage},
+    {"gInCoarseDepth", 7, BindingKind::sampledImage},
     {"gOutCache", 16, BindingKind::storageImage},
+    {"gOutCacheState", 17, BindingKind::storageImage},
     {"gInFresh_sampler", 33, BindingKind::pointSampler},
     {"gInVelocity_sampler", 34, BindingKind::pointSampler},
     {"gHistoryCache_sampler", 35, BindingKind::pointSampler},
     {"gHistoryCacheFiltered_sampler", 36, BindingKind::linearSampler},
+    {"gHistoryCacheState_sampler", 37, BindingKind::pointSampler},
+    {"gHistoryCacheStateFiltered_sampler", 38, BindingKind::linearSampler},
+    {"gInCoarseDepth_sampler", 39, BindingKind::pointSampler},
 };
+inline constexpr FormatChoice reprojection_cache_gInFresh_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
+inline constexpr Condition reprojection_cache_gInCoarseDepth_when[] = {{"VALUES", "two"}, {"VALUES", "four"}};
 inline constexpr Condition reprojection_cache_gInVelocity_when[] = {{"HISTORY", "motion"}};
 inline constexpr Condition reprojection_cache_gHistoryCache_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr FormatChoice reprojection_cache_gHistoryCache_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
 inline constexpr Condition reprojection_cache_gHistoryCacheFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr FormatChoice reprojection_cache_gHistoryCacheFiltered_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
+inline constexpr Condition reprojection_cache_gHistoryCacheState_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr FormatChoice reprojection_cache_gHistoryCacheState_formats[] = {{{"VALUES", "four"}, "rg16f"}, {{"VALUES", "two"}, "rg16f"}};
+inline constexpr Condition reprojection_cache_gHistoryCacheStateFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr FormatChoice reprojection_cache_gHistoryCacheStateFiltered_formats[] = {{{"VALUES", "four"}, "rg16f"}, {{"VALUES", "two"}, "rg16f"}};
 inline constexpr ImageInfo reprojection_cache_inputs[] = {
-    {"gInFresh", "value, or packed pair; linear depth, metres", "rg16f", 0.500000f, "", {},
+    {"gInFresh", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "", {},
+     "", 1.000000f, reprojection_cache_gInFresh_formats},
+    {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", reprojection_cache_gInCoarseDepth_when,
      ""},
     {"gInVelocity", "motion, scaled by gMotionToUv", "rg16f", 1.000000f, "", reprojection_cache_gInVelocity_when,
      ""},
-    {"gHistoryCache", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "gOutCache", reprojection_cache_gHistoryCache_when,
-     ""},
-    {"gHistoryCacheFiltered", "value; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "gOutCache", reprojection_cache_gHistoryCacheFiltered_when,
-     "gHistoryCache"},
+    {"gHistoryCache", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "gOutCache", reprojection_cache_gHistoryCache_when,
+     "", 1.000000f, reprojection_cache_gHistoryCache_formats},
+    {"gHistoryCacheFiltered", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "gOutCache", reprojection_cache_gHistoryCacheFiltered_when,
+     "gHistoryCache", 1.000000f, reprojection_cache_gHistoryCacheFiltered_formats},
+    {"gHistoryCacheState", "frames; beside two and four values linear depth, metres", "r16f", 0.500000f, "gOutCacheState", reprojection_cache_gHistoryCacheState_when,
+     "", 1.000000f, reprojection_cache_gHistoryCacheState_formats},
+    {"gHistoryCacheStateFiltered", "frames; beside two and four values linear depth, metres", "r16f", 0.500000f, "gOutCacheState", reprojection_cache_gHistoryCacheStateFiltered_when,
+     "gHistoryCacheState", 1.000000f, reprojection_cache_gHistoryCacheStateFiltered_formats},
 };
+inline constexpr FormatChoice reprojection_cache_gOutCache_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
+inline constexpr FormatChoice reprojection_cache_gOutCacheState_formats[] = {{{"VALUES", "four"}, "rg16f"}, {{"VALUES", "two"}, "rg16f"}};
 inline constexpr ImageInfo reprojection_cache_outputs[] = {
-    {"gOutCache", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "", {},
-     ""},
+    {"gOutCache", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "", {},
+     "", 1.000000f, reprojection_cache_gOutCache_formats},
+    {"gOutCacheState", "frames; beside two and four values linear depth, metres", "r16f", 0.500000f, "", {},
+     "", 1.000000f, reprojection_cache_gOutCacheState_formats},
 };
 inline constexpr PackModule reprojection_cache_modules[] = {
     {"reprojection_cache", Stage::fragment,
      "", ""},
     {"reprojection_cache", Stage::compute,
-     "", ""},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"reprojection_cache--history-motion", Stage::fragment,
      "", ""},
     {"reprojection_cache--history-motion", Stage::compute,
-     "", ""},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"reprojection_cache--history-still", Stage::fragment,
      "", ""},
     {"reprojection_cache--history-still", Stage::compute,
-     "", ""},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"reprojection_cache--history-none", Stage::fragment,
      "", ""},
     {"reprojection_cache--history-none", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"reprojection_cache--values-two", Stage::fragment,
      "", ""},
+    {"reprojection_cache--values-two", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"reprojection_cache--values-four", Stage::fragment,
+     "", ""},
+    {"reprojection_cache--values-four", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutCacheState); use the fragment form"},
     {"reprojection_cache--values-occlusion_in_integer", Stage::fragment,
      "", ""},
     {"reprojection_cache--values-occlusion_in_integer", Stage::compute,
-     "", ""},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"reprojection_cache--values-shadow_in_integer", Stage::fragment,
      "", ""},
     {"reprojection_cache--values-shadow_in_integer", Stage::compute,
-     "", ""},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"reprojection_cache--resampling-nearest", Stage::fragment,
      "", ""},
     {"reprojection_cache--resampling-nearest", Stage::compute,
-     "", ""},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"reprojection_cache--change_detection-on", Stage::fragment,
      "", ""},
     {"reprojection_cache--change_detection-on", Stage::compute,
-     "", ""},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"reprojection_cache--orthographic-on", Stage::fragment,
      "", ""},
     {"reprojection_cache--orthographic-on", Stage::compute,
-     "", ""},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+};
+inline constexpr Stage lighting_cache_stages[] = {Stage::compute};
+inline constexpr std::string_view lighting_cache_VALUES_values[] = {"one", "two", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view lighting_cache_FRESH_values[] = {"occlusion", "shadow", "both"};
+inline constexpr std::string_view lighting_cache_SAMPLES_values[] = {"1", "2", "4", "8", "12", "16", "32"};
+inline constexpr std::string_view lighting_cache_NORMALS_values[] = {"reconstructed", "read"};
+inline constexpr std::string_view lighting_cache_CASCADES_values[] = {"1", "2", "3", "4"};
+inline constexpr std::string_view lighting_cache_SHADOW_REVERSED_values[] = {"off", "on"};
+inline constexpr std::string_view lighting_cache_HISTORY_values[] = {"camera", "motion", "still", "none"};
+inline constexpr std::string_view lighting_cache_RESAMPLING_values[] = {"nearest", "bilinear"};
+inline constexpr std::string_view lighting_cache_CHANGE_DETECTION_values[] = {"off", "on"};
+inline constexpr std::string_view lighting_cache_ORTHOGRAPHIC_values[] = {"off", "on"};
+inline constexpr std::string_view lighting_cache_HALF_DEPTH_values[] = {"off", "on"};
+inline constexpr SwitchInfo lighting_cache_switches[] = {
+    {"VALUES", lighting_cache_VALUES_values, 0, "occlusion and shadow share a cache",
+     "one visibility, of FRESH both their product; two; or both packed in one number, in either order", {}},
+    {"FRESH", lighting_cache_FRESH_values, 0, "",
+     "what is computed; what is not is 1", {}},
+    {"SAMPLES", lighting_cache_SAMPLES_values, 2, "",
+     "of occlusion and of shadow, a texel and frame, one read each", {}},
+    {"NORMALS", lighting_cache_NORMALS_values, 0, "the engine hands over normals",
+     "normals from depth, or from gInNormal", {}},
+    {"CASCADES", lighting_cache_CASCADES_values, 2, "",
+     "columns of the shadow map", {}},
+    {"SHADOW_REVERSED", lighting_cache_SHADOW_REVERSED_values, 0, "depth of the shadow map is reversed",
+     "what is nearer to the sun has the larger depth", {}},
+    {"HISTORY", lighting_cache_HISTORY_values, 0, "motion: objects move, and motion vectors are at hand; still: nothing moves",
+     "fetched by camera reprojection, along gInVelocity, at the same place, or not at all", {}},
+    {"RESAMPLING", lighting_cache_RESAMPLING_values, 1, "",
+     "how history is read between texels; packed pairs bilinear in four point reads", {}},
+    {"CHANGE_DETECTION", lighting_cache_CHANGE_DETECTION_values, 0, "occluders appear and disappear",
+     "history that the fresh values around do not bear out is given up", {}},
+    {"ORTHOGRAPHIC", lighting_cache_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
+     "rays are parallel", {}},
+    {"HALF_DEPTH", lighting_cache_HALF_DEPTH_values, 0, "occlusion is computed",
+     "points are checked against depth of 16 bits", {}},
+};
+inline constexpr BindingInfo lighting_cache_bindings[] = {
+    {"LightingCacheParameters", 0, BindingKind::uniformBuffer},
+    {"gInCoarseDepth", 1, BindingKind::sampledImage},
+    {"gInVelocity", 2, BindingKind::sampledImage},
+    {"gHistoryCache", 3, BindingKind::sampledImage},
+    {"gHistoryCacheFiltered", 4, BindingKind::sampledImage},
+    {"gHistoryCacheState", 5, BindingKind::sampledImage},
+    {"gHistoryCacheStateFiltered", 6, BindingKind::sampledImage},
+    {"gInNormal", 7, BindingKind::sampledImage},
+    {"gInShadowMap", 8, BindingKind::sampledImage},
+    {"gInHalfDepth", 9, BindingKind::sampledImage},
+    {"gOutCache", 16, BindingKind::storageImage},
+    {"gOutCacheState", 17, BindingKind::storageImage},
+    {"gInCoarseDepth_sampler", 33, BindingKind::pointSampler},
+    {"gInVelocity_sampler", 34, BindingKind::pointSampler},
+    {"gHistoryCache_sampler", 35, BindingKind::pointSampler},
+    {"gHistoryCacheFiltered_sampler", 36, BindingKind::linearSampler},
+    {"gHistoryCacheState_sampler", 37, BindingKind::pointSampler},
+    {"gHistoryCacheStateFiltered_sampler", 38, BindingKind::linearSampler},
+    {"gInNormal_sampler", 39, BindingKind::pointSampler},
+    {"gInShadowMap_sampler", 40, BindingKind::pointSampler},
+    {"gInHalfDepth_sampler", 41, BindingKind::pointSampler},
+};
+inline constexpr Condition lighting_cache_gInHalfDepth_when[] = {{"HALF_DEPTH", "on"}};
+inline constexpr Condition lighting_cache_gInNormal_when[] = {{"NORMALS", "read"}};
+inline constexpr Condition lighting_cache_gInShadowMap_when[] = {{"FRESH", "shadow"}, {"FRESH", "both"}};
+inline constexpr Condition lighting_cache_gInVelocity_when[] = {{"HISTORY", "motion"}};
+inline constexpr Condition lighting_cache_gHistoryCache_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr Condition lighting_cache_gHistoryCacheFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr Condition lighting_cache_gHistoryCacheState_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr FormatChoice lighting_cache_gHistoryCacheState_formats[] = {{{"VALUES", "two"}, "rg16f"}};
+inline constexpr Condition lighting_cache_gHistoryCacheStateFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr FormatChoice lighting_cache_gHistoryCacheStateFiltered_formats[] = {{{"VALUES", "two"}, "rg16f"}};
+inline constexpr ImageInfo lighting_cache_inputs[] = {
+    {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
+     ""},
+    {"gInHalfDepth", "linear depth, metres; 65504 is sky", "r16f", 0.500000f, "", lighting_cache_gInHalfDepth_when,
+     ""},
+    {"gInNormal", "view space, towards the camera", "rgba16f", 1.000000f, "", lighting_cache_gInNormal_when,
+     ""},
+    {"gInShadowMap", "depth from the sun [0,1], cascades side by side", "r32f", 0.000000f, "", lighting_cache_gInShadowMap_when,
+     ""},
+    {"gInVelocity", "motion, scaled by gMotionToUv", "rg16f", 1.000000f, "", lighting_cache_gInVelocity_when,
+     ""},
+    {"gHistoryCache", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "gOutCache", lighting_cache_gHistoryCache_when,
+     ""},
+    {"gHistoryCacheFiltered", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "gOutCache", lighting_cache_gHistoryCacheFiltered_when,
+     "gHistoryCache"},
+    {"gHistoryCacheState", "frames; beside two values linear depth, metres", "r16f", 0.500000f, "gOutCacheState", lighting_cache_gHistoryCacheState_when,
+     "", 1.000000f, lighting_cache_gHistoryCacheState_formats},
+    {"gHistoryCacheStateFiltered", "frames; beside two values linear depth, metres", "r16f", 0.500000f, "gOutCacheState", lighting_cache_gHistoryCacheStateFiltered_when,
+     "gHistoryCacheState", 1.000000f, lighting_cache_gHistoryCacheStateFiltered_formats},
+};
+inline constexpr FormatChoice lighting_cache_gOutCacheState_formats[] = {{{"VALUES", "two"}, "rg16f"}};
+inline constexpr ImageInfo lighting_cache_outputs[] = {
+    {"gOutCache", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "", {},
+     ""},
+    {"gOutCacheState", "frames; beside two values linear depth, metres", "r16f", 0.500000f, "", {},
+     "", 1.000000f, lighting_cache_gOutCacheState_formats},
+};
+inline constexpr PackModule lighting_cache_modules[] = {
+    {"lighting_cache", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--values-two", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--values-occlusion_in_integer", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--values-shadow_in_integer", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--fresh-shadow", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--fresh-both", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--samples-1", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--samples-2", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--samples-8", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--samples-12", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--samples-16", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--samples-32", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--normals-read", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--cascades-1", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--cascades-2", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--cascades-4", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--shadow_reversed-on", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--history-motion", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--history-still", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--history-none", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--resampling-nearest", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--change_detection-on", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--orthographic-on", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--half_depth-on", Stage::compute,
+     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
 };
 inline constexpr Stage bilateral_filter_stages[] = {Stage::fragment, Stage::compute};
-inline constexpr std::string_view bilateral_filter_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view bilateral_filter_VALUES_values[] = {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer"};
 inline constexpr std::string_view bilateral_filter_TAPS_values[] = {"linear", "point"};
+inline constexpr std::string_view bilateral_filter_STEP_values[] = {"one", "any"};
+inline constexpr Stage bilateral_filter_STEP_stages[] = {Stage::compute};
 inline constexpr SwitchInfo bilateral_filter_switches[] = {
-    {"VALUES", bilateral_filter_VALUES_values, 0, "occlusion and shadow share a channel",
-     "one value, or occlusion and shadow packed in one, in either order", {}},
+    {"VALUES", bilateral_filter_VALUES_values, 0, "more than one value is cached",
+     "how many; or occlusion and shadow packed in one number, in either order", {}},
     {"TAPS", bilateral_filter_TAPS_values, 0, "",
-     "five reads between texels, or nine of texels, which leak less at edges; packed values point", {}},
+     "five reads between texels, or nine of texels, which leak less at edges; packed pairs point", {}},
+    {"STEP", bilateral_filter_STEP_values, 0, "taps lie farther apart than a texel, or nearer",
+     "one: four texels a thread, whose taps are gathered; any: gDirection is times a step", bilateral_filter_STEP_stages},
 };
 inline constexpr BindingInfo bilateral_filter_bindings[] = {
     {"BilateralFilterParameters", 0, BindingKind::uniformBuffer},
     {"gInCache", 1, BindingKind::sampledImage},
     {"gInCacheFiltered", 2, BindingKind::sampledImage},
+    {"gInCacheState", 3, BindingKind::sampledImage},
+    {"gInCacheStateFiltered", 4, BindingKind::sampledImage},
     {"gOutFiltered", 16, BindingKind::storageImage},
     {"gInCache_sampler", 33, BindingKind::pointSampler},
     {"gInCacheFiltered_sampler", 34, BindingKind::linearSampler},
+    {"gInCacheState_sampler", 35, BindingKind::pointSampler},
+    {"gInCacheStateFiltered_sampler", 36, BindingKind::linearSampler},
 };
+inline constexpr FormatChoice bilateral_filter_gInCache_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
+inline constexpr FormatChoice bilateral_filter_gInCacheFiltered_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
+inline constexpr FormatChoice bilateral_filter_gInCacheState_formats[] = {{{"VALUES", "four"}, "rg16f"}, {{"VALUES", "two"}, "rg16f"}};
+inline constexpr Condition bilateral_filter_gInCacheStateFiltered_when[] = {{"VALUES", "two"}, {"VALUES", "four"}};
 inline constexpr ImageInfo bilateral_filter_inputs[] = {
-    {"gInCache", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "", {},
-     ""},
-    {"gInCacheFiltered", "value; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "", {},
-     "gInCache"},
+    {"gInCache", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "", {},
+     "", 1.000000f, bilateral_filter_gInCache_formats},
+    {"gInCacheFiltered", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "", {},
+     "gInCache", 1.000000f, bilateral_filter_gInCacheFiltered_formats},
+    {"gInCacheState", "frames; beside two and four values linear depth, metres", "r16f", 0.500000f, "", {},
+     "", 1.000000f, bilateral_filter_gInCacheState_formats},
+    {"gInCacheStateFiltered", "frames; beside two and four values linear depth, metres", "rg16f", 0.500000f, "", bilateral_filter_gInCacheStateFiltered_when,
+     "gInCacheState"},
 };
+inline constexpr FormatChoice bilateral_filter_gOutFiltered_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
 inline constexpr ImageInfo bilateral_filter_outputs[] = {
-    {"gOutFiltered", "value, or packed pair; 0; frames; linear depth, metres", "rgba16f", 0.500000f, "", {},
-     ""},
+    {"gOutFiltered", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "", {},
+     "", 1.000000f, bilateral_filter_gOutFiltered_formats},
 };
 inline constexpr PackModule bilateral_filter_modules[] = {
     {"bilateral_filter", Stage::fragment,
      "", ""},
     {"bilateral_filter", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutFiltered); use the fragment form"},
+    {"bilateral_filter--values-two", Stage::fragment,
+     "", ""},
+    {"bilateral_filter--values-two", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutFiltered); use the fragment form"},
+    {"bilateral_filter--values-four", Stage::fragment,
+     "", ""},
+    {"bilateral_filter--values-four", Stage::compute,
      "", ""},
     {"bilateral_filter--values-occlusion_in_integer", Stage::fragment,
      "", ""},
     {"bilateral_filter--values-occlusion_in_integer", Stage::compute,
-     "", ""},
+     "", "ES 3.10 has no rg16f storage images (gOutFiltered); use the fragment form"},
     {"bilateral_filter--values-shadow_in_integer", Stage::fragment,
      "", ""},
     {"bilateral_filter--values-shadow_in_integer", Stage::compute,
-     "", ""},
+     "", "ES 3.10 has no rg16f storage images (gOutFiltered); use the fragment form"},
     {"bilateral_filter--taps-point", Stage::fragment,
      "", ""},
     {"bilateral_filter--taps-point", Stage::compute,
-     "", ""},
+     "", "ES 3.10 has no rg16f storage images (gOutFiltered); use the fragment form"},
+    {"bilateral_filter--step-any", Stage::compute,
+     "", "ES 3.10 has no rg16f storage images (gOutFiltered); use the fragment form"},
 };
 inline constexpr Stage bilateral_upsample_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view bilateral_upsample_RATIO_values[] = {"2", "4"};
 inline constexpr std::string_view bilateral_upsample_NORMAL_WEIGHTS_values[] = {"off", "on"};
-inline constexpr std::string_view bilateral_upsample_VALUES_values[] = {"one", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view bilateral_upsample_VALUES_values[] = {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer"};
 inline constexpr std::string_view bilateral_upsample_DEPTH_LINEAR_values[] = {"off", "on"};
 inline constexpr std::string_view bilateral_upsample_ORTHOGRAPHIC_values[] = {"off", "on"};
 inline constexpr SwitchInfo bilateral_upsample_switches[] = {
@@ -836,8 +1158,8 @@ inline constexpr SwitchInfo bilateral_upsample_switches[] = {
      "texels of the full image per coarse texel, along an axis", {}},
     {"NORMAL_WEIGHTS", bilateral_upsample_NORMAL_WEIGHTS_values, 0, "the engine hands over normals",
      "samples are weighed by the likeness of their normals too", {}},
-    {"VALUES", bilateral_upsample_VALUES_values, 0, "occlusion and shadow share a channel",
-     "one value, or occlusion and shadow packed in one, in either order", {}},
+    {"VALUES", bilateral_upsample_VALUES_values, 0, "more than one value is cached",
+     "how many; or occlusion and shadow packed in one number, in either order", {}},
     {"DEPTH_LINEAR", bilateral_upsample_DEPTH_LINEAR_values, 0, "the engine hands over linear view depth instead of device depth",
      "gInDepth holds linear depth in metres", {}},
     {"ORTHOGRAPHIC", bilateral_upsample_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
@@ -855,10 +1177,11 @@ inline constexpr BindingInfo bilateral_upsample_bindings[] = {
     {"gInDepth_sampler", 35, BindingKind::pointSampler},
     {"gInNormal_sampler", 36, BindingKind::pointSampler},
 };
+inline constexpr FormatChoice bilateral_upsample_gInFiltered_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
 inline constexpr Condition bilateral_upsample_gInNormal_when[] = {{"NORMAL_WEIGHTS", "on"}};
 inline constexpr ImageInfo bilateral_upsample_inputs[] = {
-    {"gInFiltered", "value, or packed pair, in the first", "rgba16f", 0.500000f, "", {},
-     ""},
+    {"gInFiltered", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "", {},
+     "", 1.000000f, bilateral_upsample_gInFiltered_formats},
     {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
      ""},
     {"gInDepth", "device depth [0,1], or metres with DEPTH_LINEAR", "r32f", 1.000000f, "", {},
@@ -866,23 +1189,32 @@ inline constexpr ImageInfo bilateral_upsample_inputs[] = {
     {"gInNormal", "view space, unit", "rgba16f", 1.000000f, "", bilateral_upsample_gInNormal_when,
      ""},
 };
+inline constexpr FormatChoice bilateral_upsample_gOutUpsampled_formats[] = {{{"VALUES", "four"}, "rgba16f"}, {{"VALUES", "occlusion_in_integer"}, "rg16f"}, {{"VALUES", "shadow_in_integer"}, "rg16f"}, {{"VALUES", "two"}, "rg16f"}};
 inline constexpr ImageInfo bilateral_upsample_outputs[] = {
-    {"gOutUpsampled", "value and 0, or occlusion and shadow", "rg16f", 1.000000f, "", {},
-     ""},
+    {"gOutUpsampled", "one value, two, or four; of a packed pair occlusion and shadow", "r16f", 1.000000f, "", {},
+     "", 1.000000f, bilateral_upsample_gOutUpsampled_formats},
 };
 inline constexpr PackModule bilateral_upsample_modules[] = {
     {"bilateral_upsample", Stage::fragment,
      "", ""},
     {"bilateral_upsample", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+     "", "ES 3.10 has no r16f storage images (gOutUpsampled); use the fragment form"},
     {"bilateral_upsample--ratio-4", Stage::fragment,
      "", ""},
     {"bilateral_upsample--ratio-4", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+     "", "ES 3.10 has no r16f storage images (gOutUpsampled); use the fragment form"},
     {"bilateral_upsample--normal_weights-on", Stage::fragment,
      "", ""},
     {"bilateral_upsample--normal_weights-on", Stage::compute,
+     "", "ES 3.10 has no r16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--values-two", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--values-two", Stage::compute,
      "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--values-four", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--values-four", Stage::compute,
+     "", ""},
     {"bilateral_upsample--values-occlusion_in_integer", Stage::fragment,
      "", ""},
     {"bilateral_upsample--values-occlusion_in_integer", Stage::compute,
@@ -894,11 +1226,11 @@ inline constexpr PackModule bilateral_upsample_modules[] = {
     {"bilateral_upsample--depth_linear-on", Stage::fragment,
      "", ""},
     {"bilateral_upsample--depth_linear-on", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+     "", "ES 3.10 has no r16f storage images (gOutUpsampled); use the fragment form"},
     {"bilateral_upsample--orthographic-on", Stage::fragment,
      "", ""},
     {"bilateral_upsample--orthographic-on", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+     "", "ES 3.10 has no r16f storage images (gOutUpsampled); use the fragment form"},
 };
 inline constexpr Stage depth_hierarchy_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view depth_hierarchy_DEPTH_LINEAR_values[] = {"off", "on"};
@@ -1282,7 +1614,7 @@ inline constexpr PassInfo passes[] = {
      depth_downsample_bindings, depth_downsample_inputs, depth_downsample_outputs, {0, 0}},
     {"ambient_occlusion", "Ambient occlusion of the screen with few samples a frame",
      "Drobot 7.3, Screen-Space Ambient Occlusion", ambient_occlusion_stages, true,
-     {16, 16, 1}, {1, 1}, 64, ambient_occlusion_switches,
+     {32, 32, 1}, {1, 1}, 576, ambient_occlusion_switches,
      ambient_occlusion_bindings, ambient_occlusion_inputs, ambient_occlusion_outputs, {0, 0}},
     {"sun_shadow", "Soft shadows of the sun from a cascaded shadow map with few samples a frame",
      "Drobot 7.3, Soft Shadows; Shadows and Ambient Occlusion Combined", sun_shadow_stages, true,
@@ -1292,9 +1624,13 @@ inline constexpr PassInfo passes[] = {
      "Drobot 7.2, Reprojection Caching, Listing 7.2", reprojection_cache_stages, true,
      {16, 16, 1}, {1, 1}, 160, reprojection_cache_switches,
      reprojection_cache_bindings, reprojection_cache_inputs, reprojection_cache_outputs, {0, 0}},
+    {"lighting_cache", "Occlusion, shadow of the sun or both, computed and accumulated in one dispatch",
+     "Drobot 7.2, Reprojection Caching; 7.3", lighting_cache_stages, true,
+     {16, 16, 1}, {1, 1}, 896, lighting_cache_switches,
+     lighting_cache_bindings, lighting_cache_inputs, lighting_cache_outputs, {0, 0}},
     {"bilateral_filter", "One direction of the bilateral filter, stronger where history is short",
      "Drobot 7.2, Bilateral Filtering, Listing 7.3", bilateral_filter_stages, true,
-     {16, 16, 1}, {1, 1}, 48, bilateral_filter_switches,
+     {16, 16, 1}, {2, 2}, 48, bilateral_filter_switches,
      bilateral_filter_bindings, bilateral_filter_inputs, bilateral_filter_outputs, {0, 0}},
     {"bilateral_upsample", "A coarse value at full resolution, along the edges of the depth",
      "Drobot 7.2, Bilateral Upsampling, Listing 7.1", bilateral_upsample_stages, true,
@@ -1340,6 +1676,7 @@ inline std::span<const PackModule> packModules([[maybe_unused]] std::string_view
     if (pass == "ambient_occlusion") return generated::ambient_occlusion_modules;
     if (pass == "sun_shadow") return generated::sun_shadow_modules;
     if (pass == "reprojection_cache") return generated::reprojection_cache_modules;
+    if (pass == "lighting_cache") return generated::lighting_cache_modules;
     if (pass == "bilateral_filter") return generated::bilateral_filter_modules;
     if (pass == "bilateral_upsample") return generated::bilateral_upsample_modules;
     if (pass == "depth_hierarchy") return generated::depth_hierarchy_modules;

@@ -58,7 +58,6 @@ struct CacheTuning {
     float converged = 4.0f;                 // frames from which on the history counts as converged
     float maxSmoothing = 4.0f;  // times the document's weight of the neighbours, without history, 1 to 16
     float minSmoothing = 0.05f; // the same with a converged history, 0 to 1: 1 is the document's, 0 no filter
-    float filterStep = 1.0f;    // texels between the filter's texels: 1 reaches four, 2 eight
     float normalContrast = 8.0f; // of upsampling by normals: exponent of the cosine
     SunShadowTuning shadow;
     ObscuranceTuning obscurance;
@@ -75,7 +74,8 @@ struct FrameInput {
     // them.
     std::optional<ImageRef> shadowMap;
     std::span<const ShadowCascade> cascades;
-    // With needs.cachedValue: RG16F of ceil(extent / ratio) texels, the value and its linear depth in metres.
+    // With needs.cachedChannels, of ceil(extent / ratio) texels: RG16F, one value and its linear depth in
+    // metres, or two; RGBA16F, three or four.
     std::optional<ImageRef> fresh;
     // With needs.normals: view space, unit, towards the camera; RGBA16F at the frame's extent.
     std::optional<ImageRef> normal;

@@ -46,15 +46,21 @@ struct Condition { // the image exists only when the switch has the value
     std::string_view value;
 };
 
+struct FormatChoice { // the image has the format where the switch has the value
+    Condition when;
+    std::string_view format;
+};
+
 struct ImageInfo {
     std::string_view name;           // gInColour, gOutHistory
     std::string_view space;          // meaning, space and unit
-    std::string_view format;         // recommended: r32f, rg16f, rgba16f, rgba8
+    std::string_view format;         // recommended: r32f, rg16f, rgba16f, rgba8; see formatOf()
     float scale;                     // share of the frame's extent, 0: one of its own; see scaleOf()
     std::string_view history;        // the output that becomes this input in the next frame, or empty
     std::span<const Condition> when; // all must hold; of those on one switch, one
     std::string_view sameAs;         // the input whose image this is too, under another filter, or empty
     float widthScale = 1.0f;         // of the width, beside scale
+    std::span<const FormatChoice> formatBy = {}; // other formats, by a switch
 };
 
 struct PassInfo {
@@ -70,7 +76,7 @@ struct PassInfo {
     std::span<const BindingInfo> bindings; // union over the variants
     std::span<const ImageInfo> inputs;
     std::span<const ImageInfo> outputs; // fragment: SV_Target order
-    uint32_t overhang[2] = {0, 0}; // pixels beyond the image that the groups of the compute form cover
+    uint32_t overhang[2] = {0, 0};      // pixels beyond the image that the groups of the compute form cover
 };
 
 struct PresetInfo {
@@ -94,6 +100,8 @@ Result<Variant> makeVariant(std::span<const PassInfo> passes, std::string_view p
 Result<void> setSwitch(Variant& variant, std::string_view switchName, std::string_view value);
 std::string_view switchValue(const Variant& variant, std::string_view switchName);
 bool exists(const Variant& variant, const ImageInfo& image);
+// The format that the table recommends for an image of the variant.
+std::string_view formatOf(const Variant& variant, const ImageInfo& image);
 // Share of the frame's extent that an image of the variant has, to be rounded up. Below 1 it follows the
 // switch RATIO, where the pass has it: the table has the scale of its default.
 double scaleOf(const Variant& variant, const ImageInfo& image);

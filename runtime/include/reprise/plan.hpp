@@ -23,9 +23,9 @@ struct SceneNeeds {
     bool sunShadows = false;
     bool reversedShadows = false; // depth of the shadow map is reversed
     bool normals = false;         // the engine's normals, FrameInput::normal, in occlusion and upsampling
-    bool cachedValue = false;     // a value of the engine's, FrameInput::fresh, without the two above
-    // The engine hands over its light in parts and the plan puts them together with what is cached; the value
-    // of cachedValue counts as an occlusion. Anti-aliasing then takes that colour.
+    uint32_t cachedChannels = 0;  // 1 to 4 of the engine's own, FrameInput::fresh, without the two above
+    // The engine hands over its light in parts and the plan puts them together with what is cached; the first
+    // of cachedChannels counts as an occlusion. Anti-aliasing then takes that colour.
     bool combinesLighting = false;
     bool otherLight = false; // combinesLighting: light that neither occlusion nor shadow touches
 };
@@ -42,8 +42,12 @@ struct CacheSettings {
     bool history = true;         // steps 4, 5 and 8; false: every frame stands alone
     bool detectsChanges = true;  // history gives way where the values of this frame do not bear it out
     bool filter = true;          // step 6
+    bool merges = true;          // steps 3 to 5 in one dispatch, lighting_cache, in compute
     bool filtersHistory = false; // step 8 after the filter: filtering over time
-    std::string_view packing = "shadow_in_integer"; // of occlusion and shadow; or occlusion_in_integer
+    float filterStep = 1.0f;     // texels between the filter's texels: 1 reaches four, 2 eight
+    // Of occlusion and shadow in one cache: packed in one number, shadow_in_integer or occlusion_in_integer,
+    // or as two values, which costs a channel and no bits.
+    std::string_view packing = "shadow_in_integer";
 };
 
 struct Settings {
@@ -98,7 +102,7 @@ struct FramePlan {
 // An output gOutX of an earlier pass is the input gInX of a later one, and the framework's steps follow each
 // other (see docs/runtime.md); an input that no pass writes is the engine's. presets: of temporal_aa.
 // Errors: zeroExtent, invalidArgument (an unknown preset, switch, format or stage; a ratio or a number of
-// samples that there is not; a value of the engine's beside occlusion or shadows).
+// samples that there is not; channels of the engine's beside occlusion or shadows).
 Result<FramePlan> plan(std::span<const PassInfo> passes, std::span<const PresetInfo> presets,
                        const SceneNeeds& needs, const Settings& settings, Extent extent);
 

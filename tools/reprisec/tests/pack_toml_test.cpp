@@ -37,6 +37,36 @@ TEST_F(SmallPack, mistakesInTheTableAreNamedWithTheirLine) {
     complains("binding = 16", "scale = 0.0\n  binding = 16", "pack.toml:27: an output has a share");
     complains("TAPS = \"nine\"", "TAPS = [\"nine\"]", "pack.toml:35: this must be a string");
     complains("binding = 16", "binding = 16\nwidth_scale = 0.0", "pack.toml:30: the scale must be a number");
+    const auto formats = [&](const std::string& choices, const std::string& said) {
+        complains("format = \"rg16f\"", "format = \"rg16f\"\n  format_by = " + choices,
+                  "pack.toml:31: " + said);
+    };
+    formats("{ TAP = { nine = \"r16f\" } }", "the pass copy has no switch \"TAP\"");
+    formats("{ TAPS = { ten = \"r16f\" } }", "the switch TAPS of the pass copy has no value");
+    formats("{ TAPS = { nine = 16 } }", "this must be a string");
+    formats("{ TAPS = \"r16f\" }", "this must be a table");
+    formats("\"r16f\"", "this must be a table");
+}
+
+// Of an output and of an input, by the values that are named; the others have the format of the image.
+TEST_F(SmallPack, formatsFollowASwitch) {
+    std::string table = smallTable;
+    for (const std::string place : {"filter = \"point\"\n", "format = \"rg16f\"\n"})
+        table.insert(table.find(place) + place.size(),
+                     (place.starts_with("filter") ? std::string("  format = \"r32f\"\n") : "") +
+                         "  format_by = { TAPS = { nine = \"rgba16f\", gather = \"r16f\" } }\n");
+    writeText(folder / "pack.toml", table);
+    const reprisec::Pack pack = load();
+    auto variant = reprise::makeVariant(pack.passes(), "copy");
+    ASSERT_TRUE(variant);
+    const auto formats = [&](std::string_view taps) {
+        EXPECT_TRUE(reprise::setSwitch(*variant, "TAPS", taps));
+        return std::string(reprise::formatOf(*variant, variant->pass->inputs[0])) + " " +
+               std::string(reprise::formatOf(*variant, variant->pass->outputs[0]));
+    };
+    EXPECT_EQ(formats("one"), "r32f rg16f");
+    EXPECT_EQ(formats("nine"), "rgba16f rgba16f");
+    EXPECT_EQ(formats("gather"), "r16f r16f");
 }
 
 // Values of one switch are alternatives, several switches all have to be right; an input's scale may be 0.

@@ -161,10 +161,18 @@ TEST_F(Needs, selectWhatTheFrameworkCaches) {
         return outcome.text.find(std::string(module) + " compute") != std::string::npos;
     };
     const Outcome usual = listed(still + "ambientOcclusion = true\n");
+    for (const char* module : {"depth_downsample--half_depth-on",
+                               "lighting_cache--history-still--change_detection-on--half_depth-on",
+                               "bilateral_filter", "bilateral_upsample"})
+        EXPECT_TRUE(has(usual, module)) << module << "\n" << usual.text;
+    EXPECT_EQ(usual.text.find("ambient_occlusion"), std::string::npos) << usual.text;
+    const Outcome apart =
+        listed(still + "ambientOcclusion = true\n[settings.cache]\nmerges = false\nfilterStep = 2.0\n");
     for (const char* module :
          {"depth_downsample", "ambient_occlusion", "reprojection_cache--history-still--change_detection-on",
-          "bilateral_filter", "bilateral_upsample"})
-        EXPECT_TRUE(has(usual, module)) << module << "\n" << usual.text;
+          "bilateral_filter--step-any"})
+        EXPECT_TRUE(has(apart, module)) << module << "\n" << apart.text;
+    EXPECT_EQ(apart.text.find("lighting_cache"), std::string::npos) << apart.text;
     EXPECT_EQ(usual.text.find("sun_shadow"), std::string::npos) << usual.text;
     EXPECT_EQ(usual.text.find("temporal_aa"), std::string::npos) << usual.text;
 
@@ -178,20 +186,25 @@ TEST_F(Needs, selectWhatTheFrameworkCaches) {
 
     const Outcome both = listed(still + "ambientOcclusion = true\nsunShadows = true\nreversedShadows = true\n"
                                         "[settings.cache]\ncascades = 2\npacking = \"shadow_in_integer\"\n"
-                                        "detectsChanges = false\n");
+                                        "detectsChanges = false\nmerges = false\n");
     for (const char* module : {"sun_shadow--cascades-2--values-shadow_in_integer--shadow_reversed-on",
                                "reprojection_cache--history-still--values-shadow_in_integer"})
         EXPECT_TRUE(has(both, module)) << module << "\n" << both.text;
+    const Outcome two = listed(still + "ambientOcclusion = true\nsunShadows = true\n[settings.cache]\n"
+                                       "packing = \"two\"\ndetectsChanges = false\n");
+    EXPECT_TRUE(has(two, "lighting_cache--values-two--fresh-both--history-still--half_depth-on")) << two.text;
 
     const Outcome other = listed(still + "ambientOcclusion = true\n[settings.cache]\n"
                                          "occlusion = \"scalable_obscurance\"\nsamples = 7\n");
     for (const char* module : {"depth_hierarchy", "scalable_obscurance--motion-off", "obscurance_filter"})
         EXPECT_TRUE(has(other, module)) << module << "\n" << other.text;
 
-    const Outcome value = listed(still + "cachedValue = true\n[settings.overrides]\n"
+    const Outcome value = listed(still + "cachedChannels = 1\n[settings.overrides]\n"
                                          "\"bilateral_filter.TAPS\" = \"point\"\n");
     EXPECT_TRUE(has(value, "bilateral_filter--taps-point")) << value.text;
     EXPECT_EQ(value.text.find("ambient_occlusion"), std::string::npos) << value.text;
+    const Outcome four = listed(still + "cachedChannels = 4\n");
+    EXPECT_TRUE(has(four, "bilateral_upsample--values-four")) << four.text;
 }
 
 // Lighting before shading, which makes the motion, and anti-aliasing after it: docs/runtime.md, "Where in the
@@ -224,6 +237,9 @@ TEST_F(Needs, mistakesAreNamedWithTheirLine) {
         {"[settings]\ncache = true\n", ":2: this must be a table"},
         {"[settings]\ncashe = 1\n", ":2: there is no setting \"cashe\""},
         {"[needs]\nsunShadows = \"yes\"\n", ":2: a need is true or false"},
+        {"[needs]\ncachedChannels = true\n", ":2: this must be a whole number"},
+        {"[needs]\ncachedChannels = 5\n", ":1: SceneNeeds::cachedChannels is 0 to 4, not 5"},
+        {"[settings.cache]\nfilterStep = \"1\"\n", ":2: this must be a number"},
         {"[settings.overrides]\nbilateral_filter.TAPS = \"point\"\n",
          ":2: the switch of another pass is written in quotes: \"bilateral_filter.SWITCH\""},
         {"[settings.overrides]\n\"no_pass.TAPS\" = \"point\"\n", ":1: there is no pass \"no_pass\""},

@@ -1,0 +1,128 @@
+#version 300 es
+precision highp float;
+precision highp int;
+
+layout(std140) uniform SunShadowParameters
+{
+    vec4 gOutputSize;
+    vec4 gToShadowX;
+    vec4 gToShadowY;
+    vec4 gToShadowZ;
+    vec4 gCascadeScale1;
+    vec4 gCascadeOffset1;
+    vec4 gCascadeScale2;
+    vec4 gCascadeOffset2;
+    vec4 gCascadeScale3;
+    vec4 gCascadeOffset3;
+    vec4 gCascadeFar;
+    vec4 gCascadeSize;
+    vec3 gDisc;
+    float gFrameIndex;
+    vec3 gShadowBias;
+    float gSubsetCount;
+} parameters;
+
+uniform highp sampler2D gInCoarseDepth;
+uniform highp sampler2D gInShadowMap;
+uniform highp sampler2D gInOcclusion;
+
+layout(location = 0) out vec4 gOutShadow;
+
+void main()
+{
+    vec2 _91 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _95 = textureLod(gInCoarseDepth, _91, 0.0);
+    float _96 = _95.x;
+    float _99 = (_96 > 0.0) ? min(_96, 65504.0) : 65504.0;
+    vec2 _102 = vec2(parameters.gOutputSize.z, 0.0);
+    vec4 _106 = textureLod(gInCoarseDepth, gl_FragCoord.xy * parameters.gOutputSize.zw + (-_102), 0.0);
+    float _107 = _106.x;
+    float _110 = (_107 > 0.0) ? min(_107, 65504.0) : 65504.0;
+    vec2 _113 = vec2(0.0, parameters.gOutputSize.w);
+    vec4 _117 = textureLod(gInCoarseDepth, gl_FragCoord.xy * parameters.gOutputSize.zw + (-_113), 0.0);
+    float _118 = _117.x;
+    float _121 = (_118 > 0.0) ? min(_118, 65504.0) : 65504.0;
+    vec4 _124 = textureLod(gInCoarseDepth, gl_FragCoord.xy * parameters.gOutputSize.zw + _102, 0.0);
+    float _125 = _124.x;
+    float _128 = (_125 > 0.0) ? min(_125, 65504.0) : 65504.0;
+    vec4 _131 = textureLod(gInCoarseDepth, gl_FragCoord.xy * parameters.gOutputSize.zw + _113, 0.0);
+    float _132 = _131.x;
+    float _135 = (_132 > 0.0) ? min(_132, 65504.0) : 65504.0;
+    vec3 _139 = vec3(_91 * _99, _99);
+    bvec2 _161 = greaterThan(_91, parameters.gOutputSize.zw);
+    bvec2 _163 = lessThan(_91, vec2(1.0) - parameters.gOutputSize.zw);
+    float _169 = _128 - _99;
+    vec2 _174 = vec2(_99 - _110, _110);
+    vec2 _175 = vec2(_169, _128);
+    bvec2 _176 = bvec2((_161.x ? abs(_110 - _99) : 131008.0) < (_163.x ? abs(_169) : 65504.0));
+    vec2 _177 = vec2(_176.x ? _174.x : _175.x, _176.y ? _174.y : _175.y);
+    float _183 = _135 - _99;
+    vec2 _188 = vec2(_99 - _121, _121);
+    vec2 _189 = vec2(_183, _135);
+    bvec2 _190 = bvec2((_161.y ? abs(_121 - _99) : 131008.0) < (_163.y ? abs(_183) : 65504.0));
+    vec2 _191 = vec2(_190.x ? _188.x : _189.x, _190.y ? _188.y : _189.y);
+    float _192 = _177.x;
+    vec3 _199 = vec3((_91 * _192) + (_102 * _177.y), _192);
+    float _204 = _191.x;
+    vec3 _211 = vec3((_91 * _204) + (_113 * _191.y), _204);
+    vec3 _216 = cross(vec3(dot(parameters.gToShadowX.xyz, _199), dot(parameters.gToShadowY.xyz, _199), dot(parameters.gToShadowZ.xyz, _199)), vec3(dot(parameters.gToShadowX.xyz, _211), dot(parameters.gToShadowY.xyz, _211), dot(parameters.gToShadowZ.xyz, _211)));
+    float _217 = _216.z;
+    bool _241 = _99 > parameters.gCascadeFar.x;
+    bvec3 _242 = bvec3(_241);
+    vec3 _243 = vec3(_242.x ? parameters.gCascadeScale1.xyz.x : vec3(1.0).x, _242.y ? parameters.gCascadeScale1.xyz.y : vec3(1.0).y, _242.z ? parameters.gCascadeScale1.xyz.z : vec3(1.0).z);
+    vec3 _244 = vec3(_242.x ? parameters.gCascadeOffset1.xyz.x : vec3(0.0).x, _242.y ? parameters.gCascadeOffset1.xyz.y : vec3(0.0).y, _242.z ? parameters.gCascadeOffset1.xyz.z : vec3(0.0).z);
+    bool _254 = _99 > parameters.gCascadeFar.y;
+    bvec3 _255 = bvec3(_254);
+    vec3 _256 = vec3(_255.x ? parameters.gCascadeScale2.xyz.x : _243.x, _255.y ? parameters.gCascadeScale2.xyz.y : _243.y, _255.z ? parameters.gCascadeScale2.xyz.z : _243.z);
+    float _259 = float(_241) + float(_254);
+    vec3 _260 = (vec3(dot(parameters.gToShadowX.xyz, _139), dot(parameters.gToShadowY.xyz, _139), dot(parameters.gToShadowZ.xyz, _139)) + vec3(parameters.gToShadowX.w, parameters.gToShadowY.w, parameters.gToShadowZ.w)) * _256 + vec3(_255.x ? parameters.gCascadeOffset2.xyz.x : _244.x, _255.y ? parameters.gCascadeOffset2.xyz.y : _244.y, _255.z ? parameters.gCascadeOffset2.xyz.z : _244.z);
+    float _261 = _256.z;
+    vec2 _262 = _256.xy;
+    vec2 _265 = clamp((-_216.xy) / vec2((abs(_217) > 9.9999996826552253889678874634872e-21) ? _217 : 9.9999996826552253889678874634872e-21), vec2(-parameters.gShadowBias.z), vec2(parameters.gShadowBias.z)) * (vec2(_261) / _262);
+    vec2 _273 = max(parameters.gDisc.xy * _262, vec2(parameters.gDisc.z));
+    vec2 _282 = parameters.gCascadeSize.xy - vec2(0.5);
+    vec2 _285 = floor(gl_FragCoord.xy);
+    vec2 _287 = floor(_285 * 0.5);
+    vec2 _289 = _285 - (_287 * 2.0);
+    vec2 _293 = _287 - (floor(_287 * 0.5) * 2.0);
+    float _294 = _289.x;
+    float _295 = _289.y;
+    float _297 = abs(_294 - _295);
+    float _298 = _293.y;
+    float _303 = _293.x;
+    vec2 _315 = vec2((2.0 * abs(_303 - _298) + (8.0 * _297 + (4.0 * _295))) + _298, (2.0 * abs(abs(_298 - _295) - _303) + (4.0 * _294 + ((-8.0) * _297 + 8.0))) + _303) * vec2(0.0625);
+    float _320 = floor(parameters.gSubsetCount);
+    float _323 = (_320 > 1.0) ? min(_320, 16.0) : 1.0;
+    float _327 = floor((parameters.gFrameIndex > 0.0) ? min(parameters.gFrameIndex, 1048576.0) : 0.0);
+    vec2 _333 = vec2(0.019510664045810699462890625, 0.2793611586093902587890625) * ((-_323) * floor((_327 + 0.5) / _323) + _327);
+    float _337 = 6.283185482025146484375 * (_333.x + _315.x);
+    float _338 = cos(_337);
+    float _339 = sin(_337);
+    float _342 = _333.y + _315.y;
+    vec2 _343 = fract(vec2(0.5));
+    float _345 = 6.283185482025146484375 * _343.x;
+    float _346 = cos(_345);
+    float _347 = sin(_345);
+    vec2 _354 = _260.xy;
+    vec2 _363 = clamp(floor((_273 * sqrt(fract(_343.y + _342))) * vec2(_346 * _338 + (-(_347 * _339)), _346 * _339 + (_347 * _338)) + _354) + vec2(0.5), vec2(0.5), _282);
+    float _375 = _260.z;
+    float _380 = -(parameters.gShadowBias.y * _99 + parameters.gShadowBias.x);
+    vec2 _384 = fract(vec2(1.25487768650054931640625, 1.06984031200408935546875));
+    float _386 = 6.283185482025146484375 * _384.x;
+    float _387 = cos(_386);
+    float _388 = sin(_386);
+    vec2 _403 = clamp(floor((_273 * sqrt(fract(_384.y + _342))) * vec2(_387 * _338 + (-(_388 * _339)), _387 * _339 + (_388 * _338)) + _354) + vec2(0.5), vec2(0.5), _282);
+    vec2 _420 = fract(vec2(2.0097553730010986328125, 1.6396806240081787109375));
+    float _422 = 6.283185482025146484375 * _420.x;
+    float _423 = cos(_422);
+    float _424 = sin(_422);
+    vec2 _439 = clamp(floor((_273 * sqrt(fract(_420.y + _342))) * vec2(_423 * _338 + (-(_424 * _339)), _423 * _339 + (_424 * _338)) + _354) + vec2(0.5), vec2(0.5), _282);
+    vec2 _456 = fract(vec2(2.7646331787109375, 2.209520816802978515625));
+    float _458 = 6.283185482025146484375 * _456.x;
+    float _459 = cos(_458);
+    float _460 = sin(_458);
+    vec2 _475 = clamp(floor((_273 * sqrt(fract(_456.y + _342))) * vec2(_459 * _338 + (-(_460 * _339)), _459 * _339 + (_460 * _338)) + _354) + vec2(0.5), vec2(0.5), _282);
+    float _499 = -(((float(textureLod(gInShadowMap, vec2(_259 * parameters.gCascadeSize.x + _363.x, _363.y) * parameters.gCascadeSize.zw, 0.0).x < (_380 * _261 + min(_375 + dot(_265, _363 - _354), 1.0))) + float(textureLod(gInShadowMap, vec2(_259 * parameters.gCascadeSize.x + _403.x, _403.y) * parameters.gCascadeSize.zw, 0.0).x < (_380 * _261 + min(_375 + dot(_265, _403 - _354), 1.0)))) + float(textureLod(gInShadowMap, vec2(_259 * parameters.gCascadeSize.x + _439.x, _439.y) * parameters.gCascadeSize.zw, 0.0).x < (_380 * _261 + min(_375 + dot(_265, _439 - _354), 1.0)))) + float(textureLod(gInShadowMap, vec2(_259 * parameters.gCascadeSize.x + _475.x, _475.y) * parameters.gCascadeSize.zw, 0.0).x < (_380 * _261 + min(_375 + dot(_265, _475 - _354), 1.0))));
+    gOutShadow = vec4(textureLod(gInOcclusion, _91, 0.0).x, (_99 < 65504.0) ? ((all(lessThanEqual(abs((_354 / parameters.gCascadeSize.xy) - vec2(0.5)), vec2(0.5))) && (_99 <= parameters.gCascadeFar.z)) ? (_499 * 0.25 + 1.0) : 1.0) : 1.0, 0.0, 0.0);
+}
+
