@@ -64,7 +64,7 @@ TEST(OcclusionTaps, repeatAfterTheirSubsetsAndNotBefore) {
     EXPECT_EQ(occlusionTaps(4, (uint64_t{1} << 60) + 3, 8), occlusionTaps(4, 3, 8));
     EXPECT_EQ(occlusionTaps(4, 17, 100), occlusionTaps(4, 1, 16));
     EXPECT_EQ(occlusionTaps(4, 5, 0), occlusionTaps(4, 0, 1));
-    EXPECT_EQ(occlusionTaps(40, 0, 1), occlusionTaps(32, 0, 1));
+    EXPECT_EQ(occlusionTaps(40, 1, 8), occlusionTaps(32, 1, 8));
 }
 
 // Largest difference between the share of points below a number and the number, of azimuth, of the square of

@@ -48,7 +48,7 @@ float3 readNormal(float2 uv) {
 #endif
 
 struct Frame {
-    float3 tangent, bitangent, normal;
+    float3 tangent, bitangent;
 };
 
 Frame frameOf(float3 normal) {
@@ -58,7 +58,6 @@ Frame frameOf(float3 normal) {
     Frame frame;
     frame.tangent = float3(1.0 + side * normal.x * normal.x * a, side * b, -side * normal.x);
     frame.bitangent = float3(b, side + normal.y * normal.y * a, -normal.y);
-    frame.normal = normal;
     return frame;
 }
 

@@ -5,7 +5,7 @@
 // What the images hold by VALUES: cached_values.hlsli.
 //
 // gInCache           values of gOutCache, or gOutFiltered of the other direction
-// gInCacheState      gOutCacheState of reprojection_cache: frames, which both directions leave be
+// gInCacheState      gOutCacheState: frames, which both directions leave be
 // gInCacheFiltered, gInCacheStateFiltered   the same under a linear filter, for the taps (TAPS linear);
 //                    unused where the compute form gathers them
 // gOutFiltered       values, filtered. Depth beside them is the texel's own, so that the next direction and
@@ -23,7 +23,7 @@
 
 BINDING(0) cbuffer BilateralFilterParameters {
     float4 gOutputSize;      // width, height, 1 / width, 1 / height
-    float2 gDirection;       // (1, 0) or (0, 1); STEP any: times any step
+    float2 gDirection;       // (1, 0) or (0, 1); in the fragment form and STEP any times any step
     float2 gDepthAmplitude;  // of depth differences: 1 / metres, and per share of the depth
     float gConverged;        // frames from which on the history is converged
     float gMaxSmoothing;     // times the listing's weight of the neighbours, 1 to 16, without history
@@ -74,7 +74,7 @@ static const float WEIGHTS[TAP_COUNT] = {
 };
 #endif
 
-// What gOutFiltered takes: bilateralOfLinearTaps() or bilateralOfPointTaps() of any number of values.
+// What gOutFiltered takes: the filter of directional_bilateral.hlsli, for any number of values.
 // Stronger where the history is short, and depth compared by the metre and by the share of the distance. A
 // tap that holds what no cache can is left out.
 float4 filteredTexel(Tap taps[TAP_COUNT], float frames) {

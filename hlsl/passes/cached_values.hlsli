@@ -40,12 +40,12 @@ bool areCacheable(CachedValues values) {
 #endif
 }
 
-// Of a texel that holds no number of a packed pair, the largest number: no cache can hold it.
+// Of a texel that holds no packed pair what is no number, so that means leave it out.
 CachedValues unpackValues(float4 texel) {
 #if VALUES_OCCLUSION_IN_INTEGER
-    return abs(texel.r) <= MAX_COLOUR ? unpackOcclusionInInteger(texel.r) : LARGEST_NUMBER;
+    return abs(texel.r) <= MAX_COLOUR ? unpackOcclusionInInteger(texel.r) : 2.0 * LARGEST_NUMBER;
 #elif VALUES_SHADOW_IN_INTEGER
-    return abs(texel.r) <= MAX_COLOUR ? unpackShadowInInteger(texel.r) : LARGEST_NUMBER;
+    return abs(texel.r) <= MAX_COLOUR ? unpackShadowInInteger(texel.r) : 2.0 * LARGEST_NUMBER;
 #elif VALUES_ONE
     return texel.r;
 #elif VALUES_TWO

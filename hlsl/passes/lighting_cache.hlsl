@@ -10,7 +10,7 @@
 // gInShadowMap        FRESH other than occlusion: as sun_shadow takes it
 // gInVelocity, gHistoryCache, gHistoryCacheState and what is filtered of them: as reprojection_cache has them
 // gOutCache           visibilities in [0,1], by VALUES: cached_values.hlsli
-// gOutCacheState      frames that the history holds
+// gOutCacheState      frames that the history holds; beside two values depth
 
 #define HAS_OCCLUSION (!FRESH_SHADOW)
 #define HAS_SHADOW (!FRESH_OCCLUSION)

@@ -10,7 +10,7 @@
 //                     gHistoryValid is 0. gHistoryCacheFiltered is the same image under a linear filter
 // gHistoryCacheState  gOutCacheState of the frame before, and gHistoryCacheStateFiltered the same so
 // gOutCache           values
-// gOutCacheState      frames that the history holds
+// gOutCacheState      frames that the history holds; beside two and four values depth
 // A value beyond MAX_COLOUR or NaN counts as 0, in history as none. SKY_DEPTH takes part like a surface.
 
 #include "passes/cached_values.hlsli"

@@ -5,6 +5,7 @@
 #include "reprise/format.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace reprise {
 namespace {
@@ -32,12 +33,16 @@ std::string_view vetoOf(const PassInfo& pass, const SceneNeeds& needs, const Set
     if (pass.name == upsamplePass && settings.cache.ratio == 1)
         return "CacheSettings::ratio is 1: there is nothing to upsample.";
     const bool merges = mergesCache(needs, settings);
-    if (pass.name == lightingCachePass && !merges)
-        return settings.stage != Stage::compute
-                   ? "In fragment shaders occlusion, shadow and cache are passes of "
-                     "their own."
-               : !settings.cache.merges ? "CacheSettings::merges is off."
-                                        : "There is no occlusion or shadow of this frame to be cached.";
+    if (pass.name == lightingCachePass && !merges) {
+        const CacheSettings& cache = settings.cache;
+        if (!needs.ambientOcclusion && !needs.sunShadows)
+            return "Neither occlusion nor shadows are asked for.";
+        if (cache.occlusion == obscurancePass) return "scalable_obscurance accumulates by itself.";
+        if (!cache.history && !cache.filter)
+            return "CacheSettings::history and filter are off: what is computed is upsampled.";
+        if (!cache.merges) return "CacheSettings::merges is off.";
+        return "In fragment shaders occlusion, shadow and cache are passes of their own.";
+    }
     if (isOcclusion(pass.name)) {
         if (!needs.ambientOcclusion) return "Ambient occlusion is not asked for.";
         if (pass.name != settings.cache.occlusion) return "CacheSettings::occlusion is another pass.";
@@ -153,6 +158,8 @@ Result<void> checkCache(const SceneNeeds& needs, const CacheSettings& cache) {
             ErrorCode::invalidArgument,
             "Occlusion and shadows share a cache below full resolution only, where upsampling unpacks "
             "them; at a ratio of 1 make a plan and a recorder for each."};
+    if (!(cache.filterStep > 0.0f) || !std::isfinite(cache.filterStep))
+        return Error{ErrorCode::invalidArgument, "CacheSettings::filterStep is not a number above 0."};
     if (cache.packing != "occlusion_in_integer" && cache.packing != "shadow_in_integer" &&
         cache.packing != "two")
         return Error{ErrorCode::invalidArgument,

@@ -8,6 +8,7 @@
 #include "changed_pack.hpp"
 #include "combine_lighting_case.hpp"
 #include "depth_hierarchy_case.hpp"
+#include "lighting_cache_case.hpp"
 #include "object_case.hpp"
 #include "reprojection_cache_case.hpp"
 #include "scalable_obscurance_case.hpp"
@@ -393,9 +394,9 @@ const std::vector<FrameworkMutant>& frameworkMutants() {
     constexpr std::string_view down = "passes/depth_downsample.hlsl",
                                occlusion = "passes/ambient_occlusion.hlsli",
                                coarse = "passes/coarse_depth.hlsli", cache = "passes/accumulation.hlsli",
-                               values = "passes/cached_values.hlsli", filter = "passes/bilateral_filter.hlsl",
-                               up = "passes/bilateral_upsample.hlsl", sun = "passes/sun_shadow.hlsli",
-                               hierarchy = "passes/depth_hierarchy.hlsl",
+                               merged = "passes/lighting_cache.hlsl", values = "passes/cached_values.hlsli",
+                               filter = "passes/bilateral_filter.hlsl", up = "passes/bilateral_upsample.hlsl",
+                               sun = "passes/sun_shadow.hlsli", hierarchy = "passes/depth_hierarchy.hlsl",
                                obscurance = "passes/scalable_obscurance.hlsl",
                                blur = "passes/obscurance_filter.hlsl",
                                combine = "passes/combine_lighting.hlsl",
@@ -651,6 +652,29 @@ const std::vector<FrameworkMutant>& frameworkMutants() {
           "differenceBefore >= differenceAfter",
           compute,
           {}}},
+        {"lighting_cache",
+         {"rowsOfTheRow",
+          merged,
+          "gsRow[y[k]].mean",
+          "gsRow[x[k]].mean",
+          compute,
+          {{"CHANGE_DETECTION", "on"}}}},
+        {"lighting_cache",
+         {"meanNotSquaredAway", merged, " - sum.mean * sum.mean", "", compute, {{"CHANGE_DETECTION", "on"}}}},
+        {"lighting_cache",
+         {"changeSeenBeyondTheBorder",
+          merged,
+          "min(float2(thread.xy) + 0.5, gOutputSize.xy - 0.5)",
+          "float2(thread.xy) + 0.5",
+          compute,
+          {{"CHANGE_DETECTION", "on"}}}},
+        {"lighting_cache",
+         {"shadowForOcclusion",
+          merged,
+          "float2(occlusion, shadow)",
+          "float2(shadow, occlusion)",
+          compute,
+          {{"FRESH", "both"}, {"VALUES", "two"}}}},
         {"depth_hierarchy",
          {"gridNotRotated", hierarchy, "frac(0.5 * texel.yx)", "frac(0.5 * texel.xy)", fragment, {}}},
         {"depth_hierarchy",
@@ -893,6 +917,10 @@ bool frameworkCatches(const Variant& right, Pass& pass) {
     if (name == "reprojection_cache") {
         const auto frame = reprojectionCacheCase(right, width, height, 34);
         return !compareWithOracle(frame, run(pass, frame)).holds();
+    }
+    if (name == "lighting_cache") {
+        const auto frame = lightingCacheCase(right, width, height, 34);
+        return !compareWithSeparate(frame, run(pass, frame), SeparatePasses(right)(frame)).holds();
     }
     if (name == "depth_hierarchy") {
         auto frame = depthHierarchyCase(right, width, height, 34);

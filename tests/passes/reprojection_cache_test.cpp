@@ -111,7 +111,10 @@ TEST_P(ReprojectionCache, brokenHistoryIsNotUsed) {
                 for (const Pixels& image : got)
                     for (const float each : image.values)
                         ASSERT_TRUE(std::abs(each) <= 65504.0f) << value;
-                if (frame.pass.bilinear || frame.pass.where == oracle::CachePass::History::none) continue;
+                // Packed pairs are read one by one, and a broken one is left out; their frames are not.
+                const bool spreads =
+                    frame.pass.bilinear && (!oracle::isPacked(frame.pass.values) || channel == 4);
+                if (spreads || frame.pass.where == oracle::CachePass::History::none) continue;
                 const Comparison result = compareWithOracle(frame, got);
                 EXPECT_TRUE(result.holds()) << describe(variant, GetParam(), 33, 17) << ", " << value
                                             << " in channel " << channel << ": " << text(result);

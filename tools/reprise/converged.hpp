@@ -8,6 +8,7 @@
 #include "shaders.hpp"
 #include "stopwatch.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace report {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char *framework = "framework", *withoutHistory = "framework + history off",
                      *reference = "reference", *packed = "packed, shadow_in_integer", *two = "two values",
-                     *lean = "lean", *obscurance = "obscurance";
+                     *lean = "both, lean", *obscurance = "obscurance";
 
 class Judge {
 public:
@@ -97,16 +97,17 @@ Claim table71(const Judge& judge) {
                         judge.fastest("shadow", references, scene)};
     if (!theirs.occlusion || !theirs.shadow) return claim;
     Cached ours;
-    for (const std::string_view variant : {packed, two, lean}) {
-        const Row* row = judge.fastest("occlusion", {&variant, 1}, scene);
-        if (!row) continue;
-        const Cached each{row, judge.row("shadow", variant, scene, row->stage)};
-        const bool better = errLess(each, theirs), best = errLess(ours, theirs);
-        if (!ours.occlusion || (better && !best) ||
-            (better == best && row->gpu->median < ours.occlusion->gpu->median))
-            ours = each;
-    }
-    if (!ours.occlusion || !ours.shadow) return claim;
+    for (const reprise::Stage stage : judge.plan().stages)
+        for (const std::string_view variant : {packed, two, lean}) {
+            const Cached each{judge.row("occlusion", variant, scene, stageText(stage)),
+                              judge.row("shadow", variant, scene, stageText(stage))};
+            if (!each.occlusion || !each.shadow || !each.occlusion->gpu) continue;
+            const bool better = errLess(each, theirs), best = errLess(ours, theirs);
+            if (!ours.occlusion || (better && !best) ||
+                (better == best && each.occlusion->gpu->median < ours.occlusion->gpu->median))
+                ours = each;
+        }
+    if (!ours.occlusion) return claim;
     const double faster =
         (theirs.occlusion->gpu->median + theirs.shadow->gpu->median) / ours.occlusion->gpu->median;
     claim.measured = {{"scene", scene},
@@ -122,7 +123,6 @@ Claim table71(const Judge& judge) {
             judge.fastest("occlusion", std::array{std::string_view(packed), std::string_view(two)}, scene))
         claim.measured["times faster, 4 samples, filtered"] =
             faster * ours.occlusion->gpu->median / usual->gpu->median;
-    claim.holds = faster >= 2.5;
     if (!ours.occlusion->error.rmse || !ours.shadow->error.rmse || !theirs.occlusion->error.rmse ||
         !theirs.shadow->error.rmse)
         return claim;
@@ -130,7 +130,7 @@ Claim table71(const Judge& judge) {
     claim.measured["RMSE of the reference's occlusion"] = *theirs.occlusion->error.rmse;
     claim.measured["RMSE of shadow"] = *ours.shadow->error.rmse;
     claim.measured["RMSE of the reference's shadow"] = *theirs.shadow->error.rmse;
-    claim.holds = *claim.holds && errLess(ours, theirs);
+    claim.holds = faster >= 2.5 && errLess(ours, theirs);
     return claim;
 }
 
@@ -237,7 +237,8 @@ Claim within(const Judge& judge, const Bar& bar) {
     const Row* row =
         judge.row(bar.technique, bar.variant, judge.panned(), bar.forCpu ? "fragment" : "compute");
     if (!row || !(row->*bar.figure)) return claim;
-    claim.measured = {{bar.forCpu ? "times nine taps" : "times a copy", *(row->*bar.figure)},
+    claim.measured = {{"variant", row->variant},
+                      {bar.forCpu ? "times nine taps" : "times a copy", *(row->*bar.figure)},
                       {"bound", bar.most},
                       {"size", fmt::format("{}x{}", row->width, row->height)}};
     claim.holds = *(row->*bar.figure) <= bar.most;
@@ -274,13 +275,14 @@ std::vector<Claim> judgeLighting(const Report& report, const Plan& plan) {
         within(judge, {"cost, copy",
                        "Occlusion by the framework takes at most 3.2 times a copy (a GPU, compute form)",
                        "occlusion", framework, &Row::perCopy, 3.2, false}));
-    // As whichever is faster there.
-    const std::string_view ways[] = {packed, two};
-    const Row* faster = judge.fastest("occlusion", ways, judge.panned());
+    // Packed or as two values, whichever is faster there.
+    const Row *one = judge.row("occlusion", packed, judge.panned(), "compute"),
+              *apart = judge.row("occlusion", two, judge.panned(), "compute");
+    const bool asTwo = one && apart && one->gpu && apart->gpu && apart->gpu->median < one->gpu->median;
     claims.push_back(within(
         judge, {"cost, both",
                 "Occlusion and shadow in one cache take at most 4.5 times a copy (a GPU, compute form)",
-                "occlusion", faster ? faster->variant : packed, &Row::perCopy, 4.5, false}));
+                "occlusion", asTwo ? two : packed, &Row::perCopy, 4.5, false}));
     return claims;
 }
 

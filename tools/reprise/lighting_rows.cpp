@@ -73,7 +73,7 @@ std::vector<LightingSpec> packedRows(bool quick) {
     }
     // The least that errs less than the reference: without what costs more than it gains there.
     LightingSpec lean = changed(Cached::both, "", [](LightingSpec&) {});
-    lean.label = "lean";
+    lean.label = "both, lean";
     lean.cache.packing = "two";
     lean.cache.samples = 2;
     lean.cache.filter = lean.cache.detectsChanges = false;
@@ -128,7 +128,8 @@ std::vector<LightingSpec> lightingRows(Cached cached, bool quick) {
         add(fmt::format("patterns {}", subsets), [=](LightingSpec& s) { s.tuning.subsets = subsets; });
     add("taps point", [](LightingSpec& s) { s.overrides.push_back({"bilateral_filter.TAPS", "point"}); });
     add("resampling nearest", [](LightingSpec& s) {
-        s.overrides.push_back({"reprojection_cache.RESAMPLING", "nearest"});
+        for (const char* name : {"reprojection_cache.RESAMPLING", "lighting_cache.RESAMPLING"})
+            s.overrides.push_back({name, "nearest"});
     });
     add("checkerboard depth", [](LightingSpec& s) {
         s.overrides.push_back({"depth_downsample.CHECKERBOARD", "on"});

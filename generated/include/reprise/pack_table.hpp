@@ -988,8 +988,8 @@ inline constexpr BindingInfo lighting_cache_bindings[] = {
     {"gInShadowMap_sampler", 40, BindingKind::pointSampler},
     {"gInHalfDepth_sampler", 41, BindingKind::pointSampler},
 };
-inline constexpr Condition lighting_cache_gInHalfDepth_when[] = {{"HALF_DEPTH", "on"}};
-inline constexpr Condition lighting_cache_gInNormal_when[] = {{"NORMALS", "read"}};
+inline constexpr Condition lighting_cache_gInHalfDepth_when[] = {{"FRESH", "occlusion"}, {"FRESH", "both"}, {"HALF_DEPTH", "on"}};
+inline constexpr Condition lighting_cache_gInNormal_when[] = {{"FRESH", "occlusion"}, {"FRESH", "both"}, {"NORMALS", "read"}};
 inline constexpr Condition lighting_cache_gInShadowMap_when[] = {{"FRESH", "shadow"}, {"FRESH", "both"}};
 inline constexpr Condition lighting_cache_gInVelocity_when[] = {{"HISTORY", "motion"}};
 inline constexpr Condition lighting_cache_gHistoryCache_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};

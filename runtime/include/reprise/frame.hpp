@@ -75,7 +75,7 @@ struct FrameInput {
     std::optional<ImageRef> shadowMap;
     std::span<const ShadowCascade> cascades;
     // With needs.cachedChannels, of ceil(extent / ratio) texels: RG16F, one value and its linear depth in
-    // metres, or two; RGBA16F, three or four.
+    // metres, or two; RGBA16F, three or four; of three the fourth must stay the same, such as 0.
     std::optional<ImageRef> fresh;
     // With needs.normals: view space, unit, towards the camera; RGBA16F at the frame's extent.
     std::optional<ImageRef> normal;
