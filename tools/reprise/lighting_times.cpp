@@ -145,7 +145,7 @@ std::vector<std::byte> parametersOf(const PlannedPass& pass, const reprise::Fram
 
 // Which passes of a plan are timed alone, beside the frame as the recorder records it.
 bool timesPasses(const LightingSpec& spec) {
-    return spec.combines || isChiefLighting(spec.label);
+    return spec.combines || spec.cached == Cached::both || isChiefLighting(spec.label);
 }
 bool timesPass(const LightingSpec& spec, const PlannedPass& pass) {
     return !spec.combines || pass.variant.pass->name == reprise::combinePass;
