@@ -458,6 +458,18 @@ TEST_P(LightingTest, whatShadowsMissIsNamed) {
     EXPECT_FALSE(recordOne(recorder, input)) << "the recorder is for three";
 }
 
+// An engine may hand the same input to several recorders: occlusion alone asks nothing of the shadow's.
+TEST_P(LightingTest, occlusionTakesNoNoticeOfCascades) {
+    const Extent extent{16, 16};
+    auto recorder = makeRecorder(info(with(still, &SceneNeeds::ambientOcclusion), extent));
+    TestFrame frame(extent);
+    auto input = frame.input(0);
+    const ShadowCascade one{glm::dmat4(1.0), 10.0};
+    input.cascades = {&one, 1};
+    const auto recorded = recordOne(recorder, input);
+    EXPECT_TRUE(recorded) << recorded.error().message;
+}
+
 // Every combination of needs and steps, three frames of each in one command buffer, where synchronization
 // validation sees hazards between frames too.
 TEST_P(LightingTest, everyPlanRecords) {

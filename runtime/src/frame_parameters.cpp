@@ -127,11 +127,11 @@ template <class Field> void copy(Field& to, const Field& from) {
     std::memcpy(&to, &from, sizeof(to));
 }
 
-// What the three passes have that it does the work of. Without cascades there are no shadows.
-Result<LightingCacheParameters> lightingCacheParameters(const FrameInput& input, const CacheFrame& frame,
-                                                        uint32_t samples) {
+// What the three passes have that it does the work of.
+Result<LightingCacheParameters> lightingCacheParameters(const Variant& variant, const FrameInput& input,
+                                                        const CacheFrame& frame) {
     LightingCacheParameters p{};
-    if (!input.cascades.empty()) {
+    if (switchValue(variant, "FRESH") != "occlusion") {
         const auto shadow = shadowParameters(input, frame);
         if (!shadow) return shadow.error();
         copy(p.gToShadowX, shadow->gToShadowX);
@@ -148,7 +148,7 @@ Result<LightingCacheParameters> lightingCacheParameters(const FrameInput& input,
         copy(p.gDisc, shadow->gDisc);
         copy(p.gShadowBias, shadow->gShadowBias);
     }
-    const AmbientOcclusionParameters occlusion = occlusionParameters(input, frame, samples);
+    const AmbientOcclusionParameters occlusion = occlusionParameters(input, frame, samplesOf(variant));
     p.gRadius = occlusion.gRadius;
     p.gFrameIndex = patternFrame(input);
     p.gSubsetCount = static_cast<float>(input.cache.subsets);
@@ -261,16 +261,16 @@ template <class Parameters> std::vector<std::byte> bytesOf(const Parameters& par
 Result<std::vector<std::byte>> cacheParameters(const PlannedPass& planned, const FrameInput& input,
                                                const CacheFrame& frame) {
     const std::string_view pass = planned.variant.pass->name, run = planned.run;
-    const uint32_t samples = samplesOf(planned.variant);
     if (pass == "depth_downsample") return bytesOf(downsampleParameters(input, frame));
-    if (pass == "ambient_occlusion") return bytesOf(occlusionParameters(input, frame, samples));
+    if (pass == "ambient_occlusion")
+        return bytesOf(occlusionParameters(input, frame, samplesOf(planned.variant)));
     if (pass == "sun_shadow") {
         auto parameters = shadowParameters(input, frame);
         if (!parameters) return parameters.error();
         return bytesOf(*parameters);
     }
     if (pass == lightingCachePass) {
-        auto parameters = lightingCacheParameters(input, frame, samples);
+        auto parameters = lightingCacheParameters(planned.variant, input, frame);
         if (!parameters) return parameters.error();
         return bytesOf(*parameters);
     }

@@ -95,7 +95,8 @@ TEST_F(LightingCache, packedPairsAreThoseOfTwoValues) {
 TEST_F(LightingCache, brokenTexelsLeaveNumbers) {
     for (const Variant& variant : allVariants()) {
         Pass merged(variant, Stage::compute, {rgba32f, rg32f});
-        for (const float value : {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, 1e38f}) {
+        for (const float value :
+             {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, 1e38f, 1e-30f}) {
             LightingCacheCase frame = lightingCacheCase(variant, 33, 17, 122);
             for (Pixels* poisoned :
                  {&frame.occlusion.depth, &frame.halfDepth, &frame.occlusion.normal, &frame.shadow.map,

@@ -67,12 +67,12 @@ Json stagesOf(const Row& row) {
     return stages;
 }
 
-// Both in one cache.
-struct Cached {
+// A row of either technique.
+struct Pair {
     const Row *occlusion = nullptr, *shadow = nullptr;
 };
 
-bool errLess(const Cached& ours, const Cached& theirs) {
+bool errLess(const Pair& ours, const Pair& theirs) {
     const auto less = [](const Row* a, const Row* b) {
         return a && b && a->error.rmse && b->error.rmse && *a->error.rmse < *b->error.rmse;
     };
@@ -93,14 +93,14 @@ Claim table71(const Judge& judge) {
         {}};
     const std::string scene = judge.panned();
     const std::string_view references[] = {reference};
-    const Cached theirs{judge.fastest("occlusion", references, scene),
-                        judge.fastest("shadow", references, scene)};
+    const Pair theirs{judge.fastest("occlusion", references, scene),
+                      judge.fastest("shadow", references, scene)};
     if (!theirs.occlusion || !theirs.shadow) return claim;
-    Cached ours;
+    Pair ours;
     for (const reprise::Stage stage : judge.plan().stages)
         for (const std::string_view variant : {packed, two, lean}) {
-            const Cached each{judge.row("occlusion", variant, scene, stageText(stage)),
-                              judge.row("shadow", variant, scene, stageText(stage))};
+            const Pair each{judge.row("occlusion", variant, scene, stageText(stage)),
+                            judge.row("shadow", variant, scene, stageText(stage))};
             if (!each.occlusion || !each.shadow || !each.occlusion->gpu) continue;
             const bool better = errLess(each, theirs), best = errLess(ours, theirs);
             if (!ours.occlusion || (better && !best) ||

@@ -44,6 +44,13 @@ constexpr std::pair<std::string_view, NeedField> needFields[] = {
     {"otherLight", &SceneNeeds::otherLight},
     {"cachedChannels", &SceneNeeds::cachedChannels}};
 
+// Does not compile when a need is added: then it has a name above too.
+[[maybe_unused]] constexpr size_t countNeeds(const SceneNeeds& needs) {
+    [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = needs;
+    return 17;
+}
+static_assert(std::size(needFields) == countNeeds({}), "a need has no name here");
+
 using CacheField = std::variant<bool CacheSettings::*, uint32_t CacheSettings::*, float CacheSettings::*,
                                 std::string_view CacheSettings::*>;
 
@@ -112,8 +119,8 @@ auto fieldOf(const Fields& fields, std::string_view kind, const toml::key& key, 
 
 void readNeed(Scene& scene, const toml::key& key, const toml::node& value) {
     const NeedField field = fieldOf(needFields, "need", key, value);
-    if (const auto* number = std::get_if<uint32_t SceneNeeds::*>(&field))
-        scene.needs.*(*number) = wholeNumber(value);
+    if (const auto* whole = std::get_if<uint32_t SceneNeeds::*>(&field))
+        scene.needs.*(*whole) = wholeNumber(value);
     else
         scene.needs.*std::get<bool SceneNeeds::*>(field) = flag(value, "a need is true or false");
 }
