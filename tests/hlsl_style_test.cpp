@@ -26,7 +26,7 @@ struct SourceFile {
 
     std::string name() const { return path.lexically_relative(root).string(); }
     bool isHeader() const { return path.extension() == ".hlsli"; }
-    // Of the passes that include it, which tests reach it through.
+    // Of the passes that include it.
     bool isPartOfPasses() const { return isHeader() && path.parent_path().filename() == "passes"; }
 };
 
@@ -136,10 +136,8 @@ TEST(HlslStyle, commentsAreNeitherMissingNorEverywhere) {
         const double share = static_cast<double>(comments - 1) /
                              static_cast<double>(static_cast<std::ptrdiff_t>(file.lines.size()) - blanks - 1);
         EXPECT_GE(share, 0.08) << file.name();
-        // A file of a few lines is mostly its contract, and so is a pass whose work is in a header beside it.
-        const bool isShared = !file.isHeader() && file.text.find("#include \"passes/") != std::string::npos;
-        EXPECT_TRUE(share <= (isShared ? 0.5 : 0.35) || file.lines.size() < 30)
-            << file.name() << ": " << share;
+        // A file of a few lines is mostly its contract.
+        EXPECT_TRUE(share <= 0.35 || file.lines.size() < 30) << file.name() << ": " << share;
     }
 }
 
@@ -237,7 +235,6 @@ TEST(HlslStyle, everyFileHasATestOfItsName) {
     for (const auto& entry : fs::recursive_directory_iterator(root / "tests"))
         if (entry.is_regular_file()) tests.insert(entry.path().filename().string());
     for (const SourceFile& file : hlslFiles()) {
-        if (file.isPartOfPasses()) continue;
         const std::string test = file.path.stem().string() + "_test.cpp";
         EXPECT_TRUE(tests.contains(test)) << file.name() << " has no " << test << " under tests";
     }

@@ -49,7 +49,6 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
 
 #else
 
-// Four components, for shader model 3 takes no fewer.
 float4 mainFragment(float4 positionPx : POSITION_PX) : SV_Target0 {
     return float4(ambientOcclusion(positionPx.xy), 0.0, 0.0);
 }

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Soft shadows of the sun from a cascaded shadow map with few samples a frame, for the framework to
-// accumulate. Drobot, 7.3, "Soft Shadows" (D9): a percentage closer filter that takes "a different sample
-// from a well-distributed sample set" each frame. Packed with occlusion: "Shadows and Ambient Occlusion
-// Combined" (D10).
-//
-// gInCoarseDepth  linear depth in metres of depth_downsample; SKY_DEPTH and beyond, and what is no depth, is
-//                 sky. At full resolution: the frame's own
-// gInShadowMap    R32F or D32F, depth from the sun in [0,1], the cascades side by side in CASCADES equal
-//                 columns. NaN shadows nothing
+// accumulate: Drobot, 7.3, "Soft Shadows" (D9). Packed with occlusion: the section after it (D10).
+// gInCoarseDepth  linear depth in metres: coarse_depth.hlsli; at full resolution the frame's own
+// gInShadowMap    R32F or D32F, depth from the sun in [0,1], in CASCADES equal columns. NaN shadows nothing
 // gInOcclusion    VALUES other than one: gOutOcclusion of ambient_occlusion, at the same texels
-// gOutShadow      RG16F: visibility of the sun in [0,1], 1 in the sky and beyond the last cascade, or packed
-//                 with occlusion; linear depth, metres. VALUES two: occlusion, shadow
+// gOutShadow      RG16F: visibility, or packed with occlusion; depth in metres. VALUES two: occlusion, shadow
 
 #include "reprise/occlusion_shadow_packing.hlsli"
 #include "reprise/platform.hlsli"
 
-// Every cascade looks along the sun's direction, so each is the first one scaled and moved: six numbers of a
-// further cascade in place of twelve. The rows take (u d, v d, d, 1) of a texel's uv and depth d there, and
-// with ORTHOGRAPHIC (u, v, d, 1): the view rays and the matrix in one.
 BINDING(0) cbuffer SunShadowParameters {
     float4 gOutputSize;      // width, height, 1 / width, 1 / height
     float4 gToShadowX;       // to x in texels of the first cascade's column
@@ -33,8 +24,7 @@ BINDING(0) cbuffer SunShadowParameters {
     float4 gCascadeSize;     // width and height of a column in texels; 1 / width and 1 / height of the map
     float3 gDisc;            // radius in texels of the first cascade, x and y; at least z texels in any
     float gFrameIndex;       // whole, see subsetOfFrame()
-    float3 gShadowBias;      // depth of the first cascade, that a metre of linear depth; steepest plane that
-                             // is followed, in depth a texel of the first cascade
+    float3 gShadowBias;      // depth of the first cascade, that a metre; steepest plane, in depth a texel
     float gSubsetCount;      // frames after which the pattern repeats, 1 to 16
 };
 
@@ -46,7 +36,6 @@ TEXTURE_POINT(gInOcclusion, 3);
 
 #include "passes/sun_shadow.hlsli"
 
-// What gOutShadow takes.
 float2 sunShadow(float2 positionPx) {
     float2 uv = pxToUv(positionPx, gOutputSize.zw);
     DepthPlus depths = readDepthPlus(uv);
@@ -74,7 +63,6 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
 
 #else
 
-// Four components, for shader model 3 takes no fewer.
 float4 mainFragment(float4 positionPx : POSITION_PX) : SV_Target0 {
     return float4(sunShadow(positionPx.xy), 0.0, 0.0);
 }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Visibility of the sun at a texel, for sun_shadow and lighting_cache, which declare gInCoarseDepth,
-// gInShadowMap and the parameters.
+// gInShadowMap and the parameters. Drobot, 7.3, "Soft Shadows" (D9): a percentage closer filter that takes "a
+// different sample from a well-distributed sample set" each frame.
+//
+// Every cascade looks along the sun's direction, so each is the first one scaled and moved: six numbers of a
+// further cascade in place of twelve. The rows of gToShadow take (u d, v d, d, 1) of a texel's uv and depth d
+// there, and with ORTHOGRAPHIC (u, v, d, 1): the view rays and the matrix in one.
 //
 // A sample is a shadow texel within a disc around the point. Compared with it is the plane of the surface,
 // taken at the centre of that texel: a plane does not shadow itself whatever its tilt, and what stands over

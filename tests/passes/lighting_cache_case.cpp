@@ -168,7 +168,6 @@ Comparison compareWithSeparate(const LightingCacheCase& frame, const std::vector
                                        std::to_string(mine) + ", of separate passes " +
                                        std::to_string(others);
                 }
-    if (comparison.outside <= comparison.pixels / 200) comparison.outside = 0;
     return comparison;
 }
 

@@ -33,8 +33,7 @@ private:
 };
 
 // But for roundings, and of the deviation of sixteen, which is made from squares here, the root of one.
-// Beside half a step of a packed integer either comes out. One number in 200 texels may be another: a sample
-// beside the edge of a texel may read either.
+// Beside half a step of a packed integer either comes out.
 Comparison compareWithSeparate(const LightingCacheCase& frame, const std::vector<Pixels>& got,
                                const std::vector<Pixels>& separate);
 
