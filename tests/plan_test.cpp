@@ -281,6 +281,11 @@ TEST(Plan, computeMergesWhatIsCachedWithItsCache) {
             EXPECT_EQ(switchOf(plan, pass, "HALF_DEPTH"), halves ? "on" : "off") << row.fresh;
         EXPECT_EQ(imageOf(plan, "gOutHalfDepth") != nullptr, halves);
     }
+    for (const uint32_t samples : {1u, 2u, 4u}) {
+        const FramePlan plan = planned(rows[0].needs, {.cache = {.samples = samples}});
+        for (const char* pass : {"depth_downsample", "lighting_cache"})
+            EXPECT_EQ(switchOf(plan, pass, "HALF_DEPTH"), samples < 4 ? "off" : "on") << samples;
+    }
     const SceneNeeds occlusion = lighting({.objectsMove = false});
     const SceneNeeds value{.antiAliasing = false, .objectsMove = false, .cachedChannels = 1};
     // Why it is left out; empty where it is not.

@@ -25,8 +25,8 @@ void main()
         {
             break;
         }
-        vec2 _91 = (floor(fma(_73 + vec2(-0.5), vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw;
-        vec4 _93 = textureGather(gInFiltered, _91);
+        vec2 _89 = (floor(fma(_73 + vec2(-0.5), vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw;
+        vec4 _93 = textureGather(gInFiltered, _89);
         float _94 = _93.w;
         float _95 = _93.z;
         float _96 = _93.x;
@@ -40,7 +40,7 @@ void main()
         float _115 = float(abs(_97) <= 65504.0);
         vec4 _116 = vec4(_100, _105, _110, _115);
         float _118 = (_115 > 0.5) ? _97 : 0.0;
-        vec4 _123 = textureGather(gInCoarseDepth, _91).wzxy;
+        vec4 _123 = textureGather(gInCoarseDepth, _89).wzxy;
         vec4 _126 = mix(vec4(65504.0), min(_123, vec4(65504.0)), greaterThan(_123, vec4(0.0)));
         vec4 _132 = textureGather(gInDepth, _73 * parameters.gOutputSize.zw);
         float _133 = _132.w;

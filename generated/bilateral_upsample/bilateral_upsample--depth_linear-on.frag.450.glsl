@@ -23,8 +23,8 @@ void main()
     vec2 _54 = vec2(1.0) - _53;
     float _55 = _54.x;
     float _56 = _53.x;
-    vec2 _68 = (_52 + vec2(1.0)) * parameters.gCoarseSize.zw;
-    vec4 _70 = textureGather(gInFiltered, _68);
+    vec2 _66 = (_52 + vec2(1.0)) * parameters.gCoarseSize.zw;
+    vec4 _70 = textureGather(gInFiltered, _66);
     float _71 = _70.w;
     float _72 = _70.z;
     float _73 = _70.x;
@@ -33,7 +33,7 @@ void main()
     float _82 = float(abs(_72) <= 65504.0);
     float _87 = float(abs(_73) <= 65504.0);
     float _92 = float(abs(_74) <= 65504.0);
-    vec4 _100 = textureGather(gInCoarseDepth, _68).wzxy;
+    vec4 _100 = textureGather(gInCoarseDepth, _66).wzxy;
     vec4 _111 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
     float _112 = _111.x;
     vec4 _123 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4(((_112 > 0.0) && (_112 < min(parameters.gSkyDepth, 65504.0))) ? _112 : 65504.0) - mix(vec4(65504.0), min(_100, vec4(65504.0)), greaterThan(_100, vec4(0.0))));

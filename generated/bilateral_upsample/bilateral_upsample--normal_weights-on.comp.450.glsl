@@ -32,8 +32,8 @@ void main()
         vec2 _107 = (clamp(_102, vec2(0.0), _104) + vec2(0.5)) / _103;
         vec2 _111 = (clamp(_102 + vec2(1.0), vec2(0.0), _104) + vec2(0.5)) / _103;
         vec2 _118 = _89 + vec2(-0.5);
-        vec2 _125 = (floor(fma(_118, vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw;
-        vec4 _127 = textureGather(gInFiltered, _125);
+        vec2 _123 = (floor(fma(_118, vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw;
+        vec4 _127 = textureGather(gInFiltered, _123);
         float _128 = _127.w;
         float _129 = _127.z;
         float _130 = _127.x;
@@ -47,7 +47,7 @@ void main()
         float _149 = float(abs(_131) <= 65504.0);
         vec4 _150 = vec4(_134, _139, _144, _149);
         float _152 = (_149 > 0.5) ? _131 : 0.0;
-        vec4 _157 = textureGather(gInCoarseDepth, _125).wzxy;
+        vec4 _157 = textureGather(gInCoarseDepth, _123).wzxy;
         vec4 _160 = mix(vec4(65504.0), min(_157, vec4(65504.0)), greaterThan(_157, vec4(0.0)));
         vec3 _169 = textureLod(gInNormal, (fma(_107, parameters.gCoarseSize.xy, vec2(-0.125)) * 2.0) * parameters.gOutputSize.zw, 0.0).xyz;
         vec3 _175 = textureLod(gInNormal, (fma(vec2(_111.x, _107.y), parameters.gCoarseSize.xy, vec2(-0.125)) * 2.0) * parameters.gOutputSize.zw, 0.0).xyz;

@@ -29,8 +29,8 @@ void main()
     vec2 _88 = vec2(1.0) - _87;
     float _89 = _88.x;
     float _90 = _87.x;
-    vec2 _99 = _77 * parameters.gCoarseSize.zw;
-    vec4 _101 = textureGather(gInFiltered, _99);
+    vec2 _97 = _77 * parameters.gCoarseSize.zw;
+    vec4 _101 = textureGather(gInFiltered, _97);
     float _102 = _101.w;
     float _103 = _101.z;
     float _104 = _101.x;
@@ -40,7 +40,7 @@ void main()
     float _118 = float(abs(_104) <= 65504.0);
     float _123 = float(abs(_105) <= 65504.0);
     vec4 _124 = vec4(_108, _113, _118, _123);
-    vec4 _131 = textureGather(gInCoarseDepth, _99).wzxy;
+    vec4 _131 = textureGather(gInCoarseDepth, _97).wzxy;
     vec2 _166 = gl_FragCoord.xy * parameters.gOutputSize.zw;
     vec4 _168 = textureLod(gInDepth, _166, 0.0);
     float _169 = _168.x;

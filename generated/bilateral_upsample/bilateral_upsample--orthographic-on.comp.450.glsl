@@ -25,8 +25,8 @@ void main()
         {
             break;
         }
-        vec2 _93 = (floor(fma(_75 + vec2(-0.5), vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw;
-        vec4 _95 = textureGather(gInFiltered, _93);
+        vec2 _91 = (floor(fma(_75 + vec2(-0.5), vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw;
+        vec4 _95 = textureGather(gInFiltered, _91);
         float _96 = _95.w;
         float _97 = _95.z;
         float _98 = _95.x;
@@ -40,7 +40,7 @@ void main()
         float _117 = float(abs(_99) <= 65504.0);
         vec4 _118 = vec4(_102, _107, _112, _117);
         float _120 = (_117 > 0.5) ? _99 : 0.0;
-        vec4 _125 = textureGather(gInCoarseDepth, _93).wzxy;
+        vec4 _125 = textureGather(gInCoarseDepth, _91).wzxy;
         vec4 _128 = mix(vec4(65504.0), min(_125, vec4(65504.0)), greaterThan(_125, vec4(0.0)));
         vec4 _134 = textureGather(gInDepth, _75 * parameters.gOutputSize.zw);
         float _135 = _134.w;

@@ -23,8 +23,8 @@ void main()
     vec2 _56 = vec2(1.0) - _55;
     float _57 = _56.x;
     float _58 = _55.x;
-    vec2 _70 = (_54 + vec2(1.0)) * parameters.gCoarseSize.zw;
-    vec4 _72 = textureGather(gInFiltered, _70);
+    vec2 _68 = (_54 + vec2(1.0)) * parameters.gCoarseSize.zw;
+    vec4 _72 = textureGather(gInFiltered, _68);
     float _73 = _72.w;
     float _74 = _72.z;
     float _75 = _72.x;
@@ -33,7 +33,7 @@ void main()
     float _84 = float(abs(_74) <= 65504.0);
     float _89 = float(abs(_75) <= 65504.0);
     float _94 = float(abs(_76) <= 65504.0);
-    vec4 _102 = textureGather(gInCoarseDepth, _70).wzxy;
+    vec4 _102 = textureGather(gInCoarseDepth, _68).wzxy;
     vec4 _113 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
     float _114 = _113.x;
     float _122 = fma(_114, parameters.gLinearDepth.x, parameters.gLinearDepth.y);

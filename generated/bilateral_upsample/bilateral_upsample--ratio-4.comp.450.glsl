@@ -24,9 +24,9 @@ void main()
         {
             break;
         }
-        vec2 _87 = fma(_76 + vec2(0.5), vec2(0.25), vec2(-0.5));
-        vec2 _93 = (floor(_87) + vec2(1.0)) * parameters.gCoarseSize.zw;
-        vec4 _95 = textureGather(gInFiltered, _93);
+        vec2 _85 = fma(_76 + vec2(0.5), vec2(0.25), vec2(-0.5));
+        vec2 _91 = (floor(_85) + vec2(1.0)) * parameters.gCoarseSize.zw;
+        vec4 _95 = textureGather(gInFiltered, _91);
         float _96 = _95.w;
         float _97 = _95.z;
         float _98 = _95.x;
@@ -40,11 +40,11 @@ void main()
         float _117 = float(abs(_99) <= 65504.0);
         vec4 _118 = vec4(_102, _107, _112, _117);
         float _120 = (_117 > 0.5) ? _99 : 0.0;
-        vec4 _125 = textureGather(gInCoarseDepth, _93).wzxy;
+        vec4 _125 = textureGather(gInCoarseDepth, _91).wzxy;
         vec4 _128 = mix(vec4(65504.0), min(_125, vec4(65504.0)), greaterThan(_125, vec4(0.0)));
         vec2 _131 = _76 + vec2(1.0);
         vec4 _135 = textureGather(gInDepth, _131 * parameters.gOutputSize.zw);
-        vec2 _136 = fract(_87);
+        vec2 _136 = fract(_85);
         vec2 _137 = vec2(1.0) - _136;
         float _138 = _137.x;
         float _139 = _136.x;

@@ -23,8 +23,8 @@ void main()
     vec2 _57 = vec2(1.0) - _56;
     float _58 = _57.x;
     float _59 = _56.x;
-    vec2 _71 = (_55 + vec2(1.0)) * parameters.gCoarseSize.zw;
-    vec4 _73 = textureGather(gInFiltered, _71);
+    vec2 _69 = (_55 + vec2(1.0)) * parameters.gCoarseSize.zw;
+    vec4 _73 = textureGather(gInFiltered, _69);
     float _74 = _73.w;
     float _75 = _73.z;
     float _76 = _73.x;
@@ -33,7 +33,7 @@ void main()
     float _85 = float(abs(_75) <= 65504.0);
     float _90 = float(abs(_76) <= 65504.0);
     float _95 = float(abs(_77) <= 65504.0);
-    vec4 _103 = textureGather(gInCoarseDepth, _71).wzxy;
+    vec4 _103 = textureGather(gInCoarseDepth, _69).wzxy;
     vec4 _114 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
     float _115 = _114.x;
     float _125 = 1.0 / max(fma(_115, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);

@@ -28,21 +28,21 @@ void main()
     vec2 _75 = vec2(1.0) - _74;
     float _76 = _75.x;
     float _77 = _74.x;
-    vec4 _86 = textureLod(gInFiltered, _63, 0.0);
-    vec4 _88 = textureLod(gInFiltered, vec2(_67.x, _63.y), 0.0);
-    vec4 _90 = textureLod(gInFiltered, vec2(_63.x, _67.y), 0.0);
-    vec4 _92 = textureLod(gInFiltered, _67, 0.0);
-    float _96 = float(all(lessThanEqual(abs(_86), vec4(65504.0))));
-    float _103 = float(all(lessThanEqual(abs(_88), vec4(65504.0))));
-    float _110 = float(all(lessThanEqual(abs(_90), vec4(65504.0))));
-    float _117 = float(all(lessThanEqual(abs(_92), vec4(65504.0))));
+    vec4 _88 = textureLod(gInFiltered, _63, 0.0);
+    vec4 _90 = textureLod(gInFiltered, vec2(_67.x, _63.y), 0.0);
+    vec4 _92 = textureLod(gInFiltered, vec2(_63.x, _67.y), 0.0);
+    vec4 _94 = textureLod(gInFiltered, _67, 0.0);
+    float _98 = float(all(lessThanEqual(abs(_88), vec4(65504.0))));
+    float _105 = float(all(lessThanEqual(abs(_90), vec4(65504.0))));
+    float _112 = float(all(lessThanEqual(abs(_92), vec4(65504.0))));
+    float _119 = float(all(lessThanEqual(abs(_94), vec4(65504.0))));
     vec4 _128 = textureGather(gInCoarseDepth, _64 * parameters.gCoarseSize.zw).wzxy;
     vec4 _139 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
     float _140 = _139.x;
     float _150 = 1.0 / max(fma(_140, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
     vec4 _162 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_140 - 0.5) <= 0.5) ? (((_150 > 0.0) && (_150 < min(parameters.gSkyDepth, 65504.0))) ? _150 : 65504.0) : 65504.0) - mix(vec4(65504.0), min(_128, vec4(65504.0)), greaterThan(_128, vec4(0.0))));
-    vec4 _169 = ((((vec4(_76, _77, _76, _77) * vec4(_75.yy, _74.yy)) * vec4(_96, _103, _110, _117)) * _162.yxxx) * _162.zzyy) * _162.wwwz;
+    vec4 _169 = ((((vec4(_76, _77, _76, _77) * vec4(_75.yy, _74.yy)) * vec4(_98, _105, _112, _119)) * _162.yxxx) * _162.zzyy) * _162.wwwz;
     vec4 _173 = _169 * (1.0 / max(dot(_169, vec4(1.0)), 1.0000000031710768509710513471353e-30));
-    gOutUpsampled = (((mix(vec4(0.0), _86, bvec4(_96 > 0.5)) * _173.x) + (mix(vec4(0.0), _88, bvec4(_103 > 0.5)) * _173.y)) + (mix(vec4(0.0), _90, bvec4(_110 > 0.5)) * _173.z)) + (mix(vec4(0.0), _92, bvec4(_117 > 0.5)) * _173.w);
+    gOutUpsampled = (((mix(vec4(0.0), _88, bvec4(_98 > 0.5)) * _173.x) + (mix(vec4(0.0), _90, bvec4(_105 > 0.5)) * _173.y)) + (mix(vec4(0.0), _92, bvec4(_112 > 0.5)) * _173.z)) + (mix(vec4(0.0), _94, bvec4(_119 > 0.5)) * _173.w);
 }
 

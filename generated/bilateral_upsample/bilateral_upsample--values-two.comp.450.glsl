@@ -25,82 +25,80 @@ void main()
         {
             break;
         }
-        vec2 _89 = floor(fma(_76, vec2(0.5), vec2(-0.5)));
-        vec2 _90 = max(parameters.gCoarseSize.xy, vec2(1.0));
-        vec2 _91 = _90 - vec2(1.0);
-        vec2 _94 = (clamp(_89, vec2(0.0), _91) + vec2(0.5)) / _90;
-        vec2 _98 = (clamp(_89 + vec2(1.0), vec2(0.0), _91) + vec2(0.5)) / _90;
-        vec2 _110 = textureLod(gInFiltered, _94, 0.0).xy;
-        vec2 _113 = textureLod(gInFiltered, vec2(_98.x, _94.y), 0.0).xy;
-        vec2 _116 = textureLod(gInFiltered, vec2(_94.x, _98.y), 0.0).xy;
-        vec2 _119 = textureLod(gInFiltered, _98, 0.0).xy;
-        float _123 = float(all(lessThanEqual(abs(_110), vec2(65504.0))));
-        vec2 _126 = mix(vec2(0.0), _110, bvec2(_123 > 0.5));
-        float _130 = float(all(lessThanEqual(abs(_113), vec2(65504.0))));
-        vec2 _133 = mix(vec2(0.0), _113, bvec2(_130 > 0.5));
-        float _137 = float(all(lessThanEqual(abs(_116), vec2(65504.0))));
-        vec2 _140 = mix(vec2(0.0), _116, bvec2(_137 > 0.5));
-        float _144 = float(all(lessThanEqual(abs(_119), vec2(65504.0))));
-        vec4 _145 = vec4(_123, _130, _137, _144);
-        vec2 _148 = mix(vec2(0.0), _119, bvec2(_144 > 0.5));
-        vec4 _158 = textureGather(gInCoarseDepth, (floor(fma(_76 + vec2(-0.5), vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw).wzxy;
-        vec4 _161 = mix(vec4(65504.0), min(_158, vec4(65504.0)), greaterThan(_158, vec4(0.0)));
-        vec4 _167 = textureGather(gInDepth, _76 * parameters.gOutputSize.zw);
-        float _168 = _167.w;
-        float _178 = 1.0 / max(fma(_168, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-        float _182 = min(parameters.gSkyDepth, 65504.0);
-        vec4 _190 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_168 - 0.5) <= 0.5) ? (((_178 > 0.0) && (_178 < _182)) ? _178 : 65504.0) : 65504.0) - _161);
-        vec4 _197 = (((vec4(0.5625, 0.1875, 0.1875, 0.0625) * _145) * _190.yxxx) * _190.zzyy) * _190.wwwz;
-        vec4 _201 = _197 * (1.0 / max(dot(_197, vec4(1.0)), 1.0000000031710768509710513471353e-30));
-        vec4 _215 = vec4((((_126 * _201.x) + (_133 * _201.y)) + (_140 * _201.z)) + (_148 * _201.w), 0.0, 0.0);
-        float _216 = _167.z;
-        float _222 = 1.0 / max(fma(_216, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-        vec4 _231 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_216 - 0.5) <= 0.5) ? (((_222 > 0.0) && (_222 < _182)) ? _222 : 65504.0) : 65504.0) - _161);
-        vec4 _238 = (((vec4(0.1875, 0.5625, 0.0625, 0.1875) * _145) * _231.yxxx) * _231.zzyy) * _231.wwwz;
-        vec4 _242 = _238 * (1.0 / max(dot(_238, vec4(1.0)), 1.0000000031710768509710513471353e-30));
-        vec4 _256 = vec4((((_126 * _242.x) + (_133 * _242.y)) + (_140 * _242.z)) + (_148 * _242.w), 0.0, 0.0);
-        float _257 = _167.x;
-        float _263 = 1.0 / max(fma(_257, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-        vec4 _272 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_257 - 0.5) <= 0.5) ? (((_263 > 0.0) && (_263 < _182)) ? _263 : 65504.0) : 65504.0) - _161);
-        vec4 _279 = (((vec4(0.1875, 0.0625, 0.5625, 0.1875) * _145) * _272.yxxx) * _272.zzyy) * _272.wwwz;
-        vec4 _283 = _279 * (1.0 / max(dot(_279, vec4(1.0)), 1.0000000031710768509710513471353e-30));
-        vec4 _297 = vec4((((_126 * _283.x) + (_133 * _283.y)) + (_140 * _283.z)) + (_148 * _283.w), 0.0, 0.0);
-        float _298 = _167.y;
-        float _304 = 1.0 / max(fma(_298, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-        vec4 _313 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_298 - 0.5) <= 0.5) ? (((_304 > 0.0) && (_304 < _182)) ? _304 : 65504.0) : 65504.0) - _161);
-        vec4 _320 = (((vec4(0.0625, 0.1875, 0.1875, 0.5625) * _145) * _313.yxxx) * _313.zzyy) * _313.wwwz;
-        vec4 _324 = _320 * (1.0 / max(dot(_320, vec4(1.0)), 1.0000000031710768509710513471353e-30));
-        vec4 _338 = vec4((((_126 * _324.x) + (_133 * _324.y)) + (_140 * _324.z)) + (_148 * _324.w), 0.0, 0.0);
-        bvec2 _339 = greaterThanEqual(_77, vec2(0.0));
-        bvec2 _340 = lessThan(_76, parameters.gOutputSize.xy);
-        ivec2 _341 = ivec2(_77);
-        if (all(_339) && all(_340))
+        vec2 _92 = (floor(fma(_76 + vec2(-0.5), vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw;
+        vec4 _96 = textureGather(gInFiltered, _92);
+        vec4 _98 = textureGather(gInFiltered, _92, 1);
+        vec2 _102 = vec4(_96.w, _98.w, 0.0, 0.0).xy;
+        vec2 _106 = vec4(_96.z, _98.z, 0.0, 0.0).xy;
+        vec2 _110 = vec4(_96.x, _98.x, 0.0, 0.0).xy;
+        vec2 _114 = vec4(_96.y, _98.y, 0.0, 0.0).xy;
+        float _118 = float(all(lessThanEqual(abs(_102), vec2(65504.0))));
+        vec2 _121 = mix(vec2(0.0), _102, bvec2(_118 > 0.5));
+        float _125 = float(all(lessThanEqual(abs(_106), vec2(65504.0))));
+        vec2 _128 = mix(vec2(0.0), _106, bvec2(_125 > 0.5));
+        float _132 = float(all(lessThanEqual(abs(_110), vec2(65504.0))));
+        vec2 _135 = mix(vec2(0.0), _110, bvec2(_132 > 0.5));
+        float _139 = float(all(lessThanEqual(abs(_114), vec2(65504.0))));
+        vec4 _140 = vec4(_118, _125, _132, _139);
+        vec2 _143 = mix(vec2(0.0), _114, bvec2(_139 > 0.5));
+        vec4 _148 = textureGather(gInCoarseDepth, _92).wzxy;
+        vec4 _151 = mix(vec4(65504.0), min(_148, vec4(65504.0)), greaterThan(_148, vec4(0.0)));
+        vec4 _157 = textureGather(gInDepth, _76 * parameters.gOutputSize.zw);
+        float _158 = _157.w;
+        float _168 = 1.0 / max(fma(_158, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        float _172 = min(parameters.gSkyDepth, 65504.0);
+        vec4 _180 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_158 - 0.5) <= 0.5) ? (((_168 > 0.0) && (_168 < _172)) ? _168 : 65504.0) : 65504.0) - _151);
+        vec4 _187 = (((vec4(0.5625, 0.1875, 0.1875, 0.0625) * _140) * _180.yxxx) * _180.zzyy) * _180.wwwz;
+        vec4 _191 = _187 * (1.0 / max(dot(_187, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _205 = vec4((((_121 * _191.x) + (_128 * _191.y)) + (_135 * _191.z)) + (_143 * _191.w), 0.0, 0.0);
+        float _206 = _157.z;
+        float _212 = 1.0 / max(fma(_206, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        vec4 _221 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_206 - 0.5) <= 0.5) ? (((_212 > 0.0) && (_212 < _172)) ? _212 : 65504.0) : 65504.0) - _151);
+        vec4 _228 = (((vec4(0.1875, 0.5625, 0.0625, 0.1875) * _140) * _221.yxxx) * _221.zzyy) * _221.wwwz;
+        vec4 _232 = _228 * (1.0 / max(dot(_228, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _246 = vec4((((_121 * _232.x) + (_128 * _232.y)) + (_135 * _232.z)) + (_143 * _232.w), 0.0, 0.0);
+        float _247 = _157.x;
+        float _253 = 1.0 / max(fma(_247, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        vec4 _262 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_247 - 0.5) <= 0.5) ? (((_253 > 0.0) && (_253 < _172)) ? _253 : 65504.0) : 65504.0) - _151);
+        vec4 _269 = (((vec4(0.1875, 0.0625, 0.5625, 0.1875) * _140) * _262.yxxx) * _262.zzyy) * _262.wwwz;
+        vec4 _273 = _269 * (1.0 / max(dot(_269, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _287 = vec4((((_121 * _273.x) + (_128 * _273.y)) + (_135 * _273.z)) + (_143 * _273.w), 0.0, 0.0);
+        float _288 = _157.y;
+        float _294 = 1.0 / max(fma(_288, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+        vec4 _303 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_288 - 0.5) <= 0.5) ? (((_294 > 0.0) && (_294 < _172)) ? _294 : 65504.0) : 65504.0) - _151);
+        vec4 _310 = (((vec4(0.0625, 0.1875, 0.1875, 0.5625) * _140) * _303.yxxx) * _303.zzyy) * _303.wwwz;
+        vec4 _314 = _310 * (1.0 / max(dot(_310, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+        vec4 _328 = vec4((((_121 * _314.x) + (_128 * _314.y)) + (_135 * _314.z)) + (_143 * _314.w), 0.0, 0.0);
+        bvec2 _329 = greaterThanEqual(_77, vec2(0.0));
+        bvec2 _330 = lessThan(_76, parameters.gOutputSize.xy);
+        ivec2 _331 = ivec2(_77);
+        if (all(_329) && all(_330))
         {
-            imageStore(gOutUpsampled, _341, _215);
-            imageStore(gOutUpsampled, _341 + ivec2(1, 0), _256);
-            imageStore(gOutUpsampled, _341 + ivec2(0, 1), _297);
-            imageStore(gOutUpsampled, _341 + ivec2(1), _338);
+            imageStore(gOutUpsampled, _331, _205);
+            imageStore(gOutUpsampled, _331 + ivec2(1, 0), _246);
+            imageStore(gOutUpsampled, _331 + ivec2(0, 1), _287);
+            imageStore(gOutUpsampled, _331 + ivec2(1), _328);
             break;
         }
-        bool _354 = _339.x;
-        bool _355 = _339.y;
-        if (_354 && _355)
+        bool _344 = _329.x;
+        bool _345 = _329.y;
+        if (_344 && _345)
         {
-            imageStore(gOutUpsampled, _341, _215);
+            imageStore(gOutUpsampled, _331, _205);
         }
-        bool _360 = _340.x;
-        if (_360 && _355)
+        bool _350 = _330.x;
+        if (_350 && _345)
         {
-            imageStore(gOutUpsampled, _341 + ivec2(1, 0), _256);
+            imageStore(gOutUpsampled, _331 + ivec2(1, 0), _246);
         }
-        bool _366 = _340.y;
-        if (_354 && _366)
+        bool _356 = _330.y;
+        if (_344 && _356)
         {
-            imageStore(gOutUpsampled, _341 + ivec2(0, 1), _297);
+            imageStore(gOutUpsampled, _331 + ivec2(0, 1), _287);
         }
-        if (_360 && _366)
+        if (_350 && _356)
         {
-            imageStore(gOutUpsampled, _341 + ivec2(1), _338);
+            imageStore(gOutUpsampled, _331 + ivec2(1), _328);
         }
         break;
     } while(false);

@@ -17,32 +17,31 @@ layout(location = 0) out vec4 gOutUpsampled;
 
 void main()
 {
-    vec2 _59 = fma(gl_FragCoord.xy, vec2(0.5), vec2(-0.5));
-    vec2 _60 = floor(_59);
-    vec2 _61 = max(parameters.gCoarseSize.xy, vec2(1.0));
-    vec2 _62 = _61 - vec2(1.0);
-    vec2 _65 = (clamp(_60, vec2(0.0), _62) + vec2(0.5)) / _61;
-    vec2 _66 = _60 + vec2(1.0);
-    vec2 _69 = (clamp(_66, vec2(0.0), _62) + vec2(0.5)) / _61;
-    vec2 _76 = _59 - _60;
-    vec2 _77 = vec2(1.0) - _76;
-    float _78 = _77.x;
-    float _79 = _76.x;
-    vec2 _89 = textureLod(gInFiltered, _65, 0.0).xy;
-    vec2 _92 = textureLod(gInFiltered, vec2(_69.x, _65.y), 0.0).xy;
-    vec2 _95 = textureLod(gInFiltered, vec2(_65.x, _69.y), 0.0).xy;
-    vec2 _98 = textureLod(gInFiltered, _69, 0.0).xy;
-    float _102 = float(all(lessThanEqual(abs(_89), vec2(65504.0))));
-    float _109 = float(all(lessThanEqual(abs(_92), vec2(65504.0))));
-    float _116 = float(all(lessThanEqual(abs(_95), vec2(65504.0))));
-    float _123 = float(all(lessThanEqual(abs(_98), vec2(65504.0))));
-    vec4 _134 = textureGather(gInCoarseDepth, _66 * parameters.gCoarseSize.zw).wzxy;
-    vec4 _145 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
-    float _146 = _145.x;
-    float _156 = 1.0 / max(fma(_146, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-    vec4 _168 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_146 - 0.5) <= 0.5) ? (((_156 > 0.0) && (_156 < min(parameters.gSkyDepth, 65504.0))) ? _156 : 65504.0) : 65504.0) - mix(vec4(65504.0), min(_134, vec4(65504.0)), greaterThan(_134, vec4(0.0))));
-    vec4 _175 = ((((vec4(_78, _79, _78, _79) * vec4(_77.yy, _76.yy)) * vec4(_102, _109, _116, _123)) * _168.yxxx) * _168.zzyy) * _168.wwwz;
-    vec4 _179 = _175 * (1.0 / max(dot(_175, vec4(1.0)), 1.0000000031710768509710513471353e-30));
-    gOutUpsampled = vec4((((mix(vec2(0.0), _89, bvec2(_102 > 0.5)) * _179.x) + (mix(vec2(0.0), _92, bvec2(_109 > 0.5)) * _179.y)) + (mix(vec2(0.0), _95, bvec2(_116 > 0.5)) * _179.z)) + (mix(vec2(0.0), _98, bvec2(_123 > 0.5)) * _179.w), 0.0, 0.0);
+    vec2 _56 = fma(gl_FragCoord.xy, vec2(0.5), vec2(-0.5));
+    vec2 _57 = floor(_56);
+    vec2 _58 = _56 - _57;
+    vec2 _59 = vec2(1.0) - _58;
+    float _60 = _59.x;
+    float _61 = _58.x;
+    vec2 _71 = (_57 + vec2(1.0)) * parameters.gCoarseSize.zw;
+    vec4 _75 = textureGather(gInFiltered, _71);
+    vec4 _77 = textureGather(gInFiltered, _71, 1);
+    vec2 _81 = vec4(_75.w, _77.w, 0.0, 0.0).xy;
+    vec2 _85 = vec4(_75.z, _77.z, 0.0, 0.0).xy;
+    vec2 _89 = vec4(_75.x, _77.x, 0.0, 0.0).xy;
+    vec2 _93 = vec4(_75.y, _77.y, 0.0, 0.0).xy;
+    float _97 = float(all(lessThanEqual(abs(_81), vec2(65504.0))));
+    float _104 = float(all(lessThanEqual(abs(_85), vec2(65504.0))));
+    float _111 = float(all(lessThanEqual(abs(_89), vec2(65504.0))));
+    float _118 = float(all(lessThanEqual(abs(_93), vec2(65504.0))));
+    vec4 _127 = textureGather(gInCoarseDepth, _71).wzxy;
+    vec4 _138 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
+    float _139 = _138.x;
+    float _149 = 1.0 / max(fma(_139, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+    vec4 _161 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_139 - 0.5) <= 0.5) ? (((_149 > 0.0) && (_149 < min(parameters.gSkyDepth, 65504.0))) ? _149 : 65504.0) : 65504.0) - mix(vec4(65504.0), min(_127, vec4(65504.0)), greaterThan(_127, vec4(0.0))));
+    vec4 _168 = ((((vec4(_60, _61, _60, _61) * vec4(_59.yy, _58.yy)) * vec4(_97, _104, _111, _118)) * _161.yxxx) * _161.zzyy) * _161.wwwz;
+    vec4 _172 = _168 * (1.0 / max(dot(_168, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+    vec2 _183 = (((mix(vec2(0.0), _81, bvec2(_97 > 0.5)) * _172.x) + (mix(vec2(0.0), _85, bvec2(_104 > 0.5)) * _172.y)) + (mix(vec2(0.0), _89, bvec2(_111 > 0.5)) * _172.z)) + (mix(vec2(0.0), _93, bvec2(_118 > 0.5)) * _172.w);
+    gOutUpsampled = vec4(_183, 0.0, 0.0);
 }
 

@@ -18,16 +18,15 @@ TEXTURE_POINT(gInVelocity, 2);
 // A history that stands still lies texel on texel: there is nothing to filter. A filter between two packed
 // values makes a third, which neither of them is.
 #define READS_BETWEEN (RESAMPLING_BILINEAR && !HISTORY_STILL && !HISTORY_NONE)
-#if HISTORY_NONE
-#elif READS_BETWEEN && !VALUES_PACKED
-TEXTURE_LINEAR(gHistoryCacheFiltered, 4);
-#else
+#if READS_BETWEEN
+#if VALUES_PACKED
 TEXTURE_POINT(gHistoryCache, 3);
-#endif
-#if HISTORY_NONE
-#elif READS_BETWEEN
-TEXTURE_LINEAR(gHistoryCacheStateFiltered, 6);
 #else
+TEXTURE_LINEAR(gHistoryCacheFiltered, 4);
+#endif
+TEXTURE_LINEAR(gHistoryCacheStateFiltered, 6);
+#elif !HISTORY_NONE
+TEXTURE_POINT(gHistoryCache, 3);
 TEXTURE_POINT(gHistoryCacheState, 5);
 #endif
 
@@ -37,11 +36,28 @@ struct Cached {
 };
 
 #if !HISTORY_NONE
-
 #if VALUES_PACKED && READS_BETWEEN
-// Two values and depth of a texel.
-float4 unpackTexel(float4 texel) {
-    return float4(unpackValues(texel), texel.g, 0.0);
+// Two values and depth, bilinear between four texels, each unpacked first and left out if it is broken.
+float3 readPackedBetween(float2 uv) {
+    float2 position = uv * gOutputSize.xy - 0.5;
+    float2 low = floor(position);
+#if HAS_GATHER
+    float2 corner = (low + 1.0) * gOutputSize.zw;
+    float4 packed = GATHER_RED(gHistoryCache, corner).wzxy;
+    float4 depths = GATHER_GREEN(gHistoryCache, corner).wzxy;
+#else
+    float4 packed, depths;
+    [unroll] for (int i = 0; i < 4; ++i) {
+        float2 texel = low + float2(float(i % 2), float(i / 2)) + 0.5;
+        packed[i] = SAMPLE(gHistoryCache, texel * gOutputSize.zw).r;
+        depths[i] = SAMPLE(gHistoryCache, texel * gOutputSize.zw).g;
+    }
+#endif
+    float2 right = position - low, left = 1.0 - right;
+    float4 shares = float4(left.x, right.x, left.x, right.x) * float4(left.y, left.y, right.y, right.y);
+    shares = abs(packed) <= MAX_COLOUR ? shares * numberMask(depths) : 0.0;
+    depths = shares > 0.0 ? depths : 0.0;
+    return float3(sumOfPacked(packed, shares), dot(shares, depths)) / max(dot(shares, 1.0), 1e-6);
 }
 #endif
 
@@ -52,18 +68,8 @@ Cached readHistory(float2 uv) {
 #else
     float4 state = SAMPLE(gHistoryCacheState, uv);
 #endif
-#if VALUES_PACKED && READS_BETWEEN
-    float2 position = uv * gOutputSize.xy - 0.5;
-    float2 low = (floor(position) + 0.5) * gOutputSize.zw;
-    float2 high = low + gOutputSize.zw;
-    float2 right = frac(position);
-    float2 left = 1.0 - right;
-    float4 texel = meanOfNumbers(unpackTexel(SAMPLE(gHistoryCache, low)),
-                                 unpackTexel(SAMPLE(gHistoryCache, float2(high.x, low.y))),
-                                 unpackTexel(SAMPLE(gHistoryCache, float2(low.x, high.y))),
-                                 unpackTexel(SAMPLE(gHistoryCache, high)),
-                                 float4(left.x, right.x, left.x, right.x) *
-                                     float4(left.y, left.y, right.y, right.y));
+#if READS_BETWEEN && VALUES_PACKED
+    float3 texel = readPackedBetween(uv);
     history.values = texel.xy;
     history.depth = texel.z;
 #else
@@ -82,9 +88,7 @@ Cached readHistory(float2 uv) {
 // Where the history lies, over this image. Motion vectors carry no depth: the camera's is taken.
 CachePlace findPlace(float2 uv, float depth) {
 #if HISTORY_STILL
-    CachePlace place;
-    place.prevUv = uv;
-    place.lastDepth = depth;
+    CachePlace place = {uv, depth};
 #else
     float2 frameUv = uv / gFrameToCoarse;
     float4 positionVS = float4(viewPosition(uv, depth, gViewRay), 1.0);

@@ -10,8 +10,9 @@
 //                    unused where the compute form gathers them
 // gOutFiltered       values, filtered. Depth beside them is the texel's own, so that the next direction and
 //                    the next frame's cache find it
-// What is packed never passes a linear filter: it is read texel by texel, whatever TAPS says. A value that is
-// NaN or beyond MAX_COLOUR is filled from its neighbours.
+// What is packed never passes a linear filter: it is gathered and unpacked first, or where it is not gathered
+// read texel by texel, whatever TAPS says. A value that is NaN or beyond MAX_COLOUR is filled from its
+// neighbours.
 
 #include "passes/cached_values.hlsli"
 #include "reprise/conventions.hlsli"
@@ -30,9 +31,10 @@ BINDING(0) cbuffer BilateralFilterParameters {
     float gMinSmoothing;     // the same with a converged history, 0 to 1: 1 is the listing, 0 no filter
 };
 
-#define TAPS_BETWEEN (TAPS_LINEAR && !VALUES_PACKED)
 // Steps of one texel: four texels a thread, whose taps come by gathers, four texels a read.
 #define GATHERS (STAGE_COMPUTE && STEP_ONE)
+// Packed pairs halfway between two texels are means of what is gathered and unpacked.
+#define TAPS_BETWEEN (TAPS_LINEAR && (GATHERS || !VALUES_PACKED))
 
 TEXTURE_POINT(gInCache, 1);
 #if TAPS_BETWEEN && !GATHERS

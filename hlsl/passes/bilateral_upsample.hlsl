@@ -50,17 +50,6 @@ float linearDepth(float depth) {
 #endif
 }
 
-// Red of the four texels of the footprint, left and right above, left and right below.
-float4 readRed(TEXTURE_PARAMETER(coarse), CoarseFootprint footprint, float2 positionPx) {
-#if HAS_GATHER
-    float2 corner = floor(positionPx / COARSE_TEXEL_PX - 0.5) + 1.0;
-    return GATHER_RED(coarse, pxToUv(corner, gCoarseSize.zw)).wzxy;
-#else
-    return float4(SAMPLE(coarse, footprint.leftUp).r, SAMPLE(coarse, footprint.rightUp).r,
-                  SAMPLE(coarse, footprint.leftDown).r, SAMPLE(coarse, footprint.rightDown).r);
-#endif
-}
-
 // What the four coarse texels of a footprint hold, which several pixels share. Values that are no numbers are
 // 0, and not usable.
 struct CoarseTexels {
@@ -80,14 +69,19 @@ float3 readCoarseNormal(float2 coarseUv) {
 }
 #endif
 
+// The four texels, left and right above, left and right below.
 CoarseTexels readCoarse(CoarseFootprint footprint, float2 positionPx) {
     CoarseTexels coarse;
-#if VALUES_ONE || VALUES_PACKED
-    float4 red = readRed(TEXTURE_ARGUMENT(gInFiltered), footprint, positionPx);
-    coarse.values[0] = unpackValues(red.xxxx);
-    coarse.values[1] = unpackValues(red.yyyy);
-    coarse.values[2] = unpackValues(red.zzzz);
-    coarse.values[3] = unpackValues(red.wwww);
+#if HAS_GATHER
+    float2 corner = pxToUv(floor(positionPx / COARSE_TEXEL_PX - 0.5) + 1.0, gCoarseSize.zw);
+#endif
+#if HAS_GATHER && !VALUES_FOUR
+    float4 red = GATHER_RED(gInFiltered, corner).wzxy, green = 0.0;
+#if VALUES_TWO
+    green = GATHER_GREEN(gInFiltered, corner).wzxy;
+#endif
+    [unroll] for (int texel = 0; texel < 4; ++texel)
+        coarse.values[texel] = unpackValues(float4(red[texel], green[texel], 0.0, 0.0));
 #else
     coarse.values[0] = unpackValues(SAMPLE(gInFiltered, footprint.leftUp));
     coarse.values[1] = unpackValues(SAMPLE(gInFiltered, footprint.rightUp));
@@ -98,7 +92,13 @@ CoarseTexels readCoarse(CoarseFootprint footprint, float2 positionPx) {
         coarse.usable[i] = areCacheable(coarse.values[i]) ? 1.0 : 0.0;
         coarse.values[i] = coarse.usable[i] > 0.5 ? coarse.values[i] : 0.0;
     }
-    float4 depths = readRed(TEXTURE_ARGUMENT(gInCoarseDepth), footprint, positionPx);
+#if HAS_GATHER
+    float4 depths = GATHER_RED(gInCoarseDepth, corner).wzxy;
+#else
+    float4 depths =
+        float4(SAMPLE(gInCoarseDepth, footprint.leftUp).r, SAMPLE(gInCoarseDepth, footprint.rightUp).r,
+               SAMPLE(gInCoarseDepth, footprint.leftDown).r, SAMPLE(gInCoarseDepth, footprint.rightDown).r);
+#endif
     coarse.depths = depths > 0.0 ? min(depths, SKY_DEPTH) : SKY_DEPTH;
 #if NORMAL_WEIGHTS
     coarse.normals[0] = readCoarseNormal(footprint.leftUp);

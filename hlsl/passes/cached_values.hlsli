@@ -35,6 +35,8 @@ static const int VALUE_COUNT = 2;
 bool areCacheable(CachedValues values) {
 #if VALUES_ONE
     return abs(values) <= MAX_COLOUR;
+#elif VALUES_PACKED
+    return abs(values.x) <= MAX_COLOUR;   // a texel holds both or neither
 #else
     return all(abs(values) <= MAX_COLOUR);
 #endif
@@ -54,6 +56,17 @@ CachedValues unpackValues(float4 texel) {
     return texel;
 #endif
 }
+
+#if VALUES_PACKED
+// Of four packed pairs the sum of the values, each times its share.
+float2 sumOfPacked(float4 packed, float4 shares) {
+#if VALUES_OCCLUSION_IN_INTEGER
+    return sumOfUnitPairs(packed, shares);
+#else
+    return sumOfUnitPairs(packed, shares).yx;
+#endif
+}
+#endif
 
 // As a cache takes them: what it cannot hold counts as 0.
 CachedValues knownValues(float4 texel) {

@@ -25,8 +25,15 @@ float packUnitPair(float whole, float part) {
 float2 unpackUnitPair(float packed) {
     float known = bounded(packed, 0.0, PACK_RANGE + PACK_FRACTION);
     float integer = floor(known);
-    float2 pair = float2(integer * (1.0 / PACK_RANGE), (known - integer) * (1.0 / PACK_FRACTION));
-    return min(pair, 1.0);
+    return float2(integer * (1.0 / PACK_RANGE), min((known - integer) * (1.0 / PACK_FRACTION), 1.0));
+}
+
+// Of four channels the sum of what unpackUnitPair() makes of each, times its share: a filter between them.
+float2 sumOfUnitPairs(float4 packed, float4 shares) {
+    float4 known = bounded(packed, 0.0, PACK_RANGE + PACK_FRACTION);
+    float4 integers = floor(known);
+    float4 fractions = min(known - integers, PACK_FRACTION);
+    return float2(dot(shares, integers) * (1.0 / PACK_RANGE), dot(shares, fractions) * (1.0 / PACK_FRACTION));
 }
 
 // The listing's order: occlusion in the integer part, shadow in the fraction.

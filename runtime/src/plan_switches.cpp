@@ -63,11 +63,13 @@ struct Choice {
 // Switches of the framework's passes that the needs and the settings name the value of.
 std::vector<Choice> choicesFor(const SceneNeeds& needs, const Settings& settings) {
     const CacheSettings& cache = settings.cache;
+    // Fewer points than four wait for less than the second image of depth costs.
+    const bool halves = needs.ambientOcclusion && cache.samples >= 4 && mergesCache(needs, settings);
     std::vector<Choice> choices{
         {"TEMPORAL", cache.history ? "on" : "off", {}},
         {"RATIO", std::to_string(cache.ratio), {}},
         {"SAMPLES", std::to_string(cache.samples), {}},
-        {"HALF_DEPTH", needs.ambientOcclusion && mergesCache(needs, settings) ? "on" : "off", {}},
+        {"HALF_DEPTH", halves ? "on" : "off", {}},
         {"STEP", cache.filterStep == 1.0f ? "one" : "any", {}},
         {"CASCADES", std::to_string(cache.cascades), {}},
         {"NORMALS", needs.normals ? "read" : "reconstructed", {}},

@@ -83,10 +83,42 @@ TEST(OcclusionShadowPacking, packedNumberIsTheOracles) {
          }});
 }
 
+dvec2 unpacked(double packed) {
+    const double known = oracle::held(packed, 0.0, 31.984375), integer = std::floor(known);
+    return {integer / 31.0, std::min((known - integer) / 0.984375, 1.0)};
+}
+
+// Of four numbers, whatever they are.
+TEST(OcclusionShadowPacking, sumIsThatOfEachUnpacked) {
+    Random random(31);
+    const float hostile[] = {-1.0f, 1e30f, denormal, notANumber, 31.99f, 0.999f, 32.0f};
+    std::vector<Row> rows;
+    for (int i = 0; i < 1000; ++i) {
+        vec4 packed, shares;
+        for (int c = 0; c < 4; ++c) {
+            packed[c] = random.in(0.0f, 31.984375f);
+            shares[c] = random.in(0.0f, 0.25f);
+        }
+        if (i % 4 == 0) packed[i / 4 % 4] = hostile[i / 16 % 7];
+        rows.push_back({packed, shares});
+    }
+    const Comparison sum{
+        {"sumOfUnitPairs", {header}, "out0.xy = sumOfUnitPairs(in0, in1);", 2, 1}, rows, [](const Row& in) {
+            dvec2 expected(0.0);
+            for (int c = 0; c < 4; ++c)
+                expected += double(in[1][c]) * unpacked(in[0][c]);
+            // Eight roundings at most, of what is at most 1 over its range.
+            return std::vector{near(expected, 8.0 * roundoff)};
+        }};
+    expectAgrees(sum);
+    expectCaught(sum, {header, "float4 integers = floor(known);", "float4 integers = floor(known.x);"});
+    expectCaught(sum, {header, "min(known - integers, PACK_FRACTION)", "known - integers"});
+}
+
 TEST(OcclusionShadowPacking, wrongPackingsAreCaught) {
     const Comparison right = roundTrip(listingOrder, true);
-    expectCaught(right, {header, "float2(integer * (1.0 / PACK_RANGE), (known",
-                         "float2(known * (1.0 / PACK_RANGE), (known"}); // the fraction stays in the integer
+    expectCaught(right, {header, "float2(integer * (1.0 / PACK_RANGE)",
+                         "float2(known * (1.0 / PACK_RANGE)"}); // the fraction stays in the integer
     expectCaught(right, {header, "(known - integer) * (1.0 / PACK_FRACTION)", "known - integer"});
     expectCaught(right,
                  {header, "bounded(part, 0.0, 1.0) * PACK_FRACTION", "bounded(part, 0.0, 1.0)"}); // 1 carries

@@ -170,6 +170,20 @@ Case unpacking(const std::string& function, bool swaps) {
     return made;
 }
 
+Case sumOfPairs() {
+    return {everyHalfName + " four times, shares 1/4",
+            storing("sumOfUnitPairs", occlusionShadow, "out0.xy = sumOfUnitPairs(in0, 0.25);"),
+            {Unit::roundings, 8.0, "a sum of four below 32, over its range"},
+            [](const Effort&) {
+                return Sweep{halfRows(7), [](const Row& in) {
+                                 dvec2 sum(0.0);
+                                 for (int c = 0; c < 4; ++c)
+                                     sum += 0.25 * unpacked(in[0][c]);
+                                 return std::vector{right(sum, 1.0)};
+                             }};
+            }};
+}
+
 // Both through binary16, to nearest: half a level of 31, half a step of the fraction at 16 and above.
 Case throughHalf(const std::string& pack, const std::string& unpack, bool occlusionIsWhole) {
     Case made{
@@ -231,6 +245,7 @@ std::vector<Case> packingCases() {
     all.push_back(unpacking("unpackUnitPair", false));
     all.push_back(unpacking("unpackOcclusionInInteger", false));
     all.push_back(unpacking("unpackShadowInInteger", true));
+    all.push_back(sumOfPairs());
     all.push_back(throughHalf("packOcclusionInInteger", "unpackOcclusionInInteger", true));
     all.push_back(throughHalf("packShadowInInteger", "unpackShadowInInteger", false));
     return all;

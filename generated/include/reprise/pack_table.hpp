@@ -584,7 +584,7 @@ inline constexpr SwitchInfo depth_downsample_switches[] = {
      "closest is the largest device depth", {}},
     {"ORTHOGRAPHIC", depth_downsample_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
      "device depth is affine in linear depth", {}},
-    {"HALF_DEPTH", depth_downsample_HALF_DEPTH_values, 0, "lighting_cache reads it",
+    {"HALF_DEPTH", depth_downsample_HALF_DEPTH_values, 0, "lighting_cache checks four points or more",
      "the same depth is written with 16 bits too", {}},
 };
 inline constexpr BindingInfo depth_downsample_bindings[] = {
@@ -823,7 +823,7 @@ inline constexpr SwitchInfo reprojection_cache_switches[] = {
     {"VALUES", reprojection_cache_VALUES_values, 0, "more than one value is cached",
      "how many; or occlusion and shadow packed in one number, in either order", {}},
     {"RESAMPLING", reprojection_cache_RESAMPLING_values, 1, "",
-     "how history is read between texels; packed pairs bilinear in four point reads", {}},
+     "how history is read between texels; packed pairs bilinear by gathers, or four point reads", {}},
     {"CHANGE_DETECTION", reprojection_cache_CHANGE_DETECTION_values, 0, "occluders appear and disappear",
      "history that the fresh values around do not bear out is given up", {}},
     {"ORTHOGRAPHIC", reprojection_cache_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
@@ -957,12 +957,12 @@ inline constexpr SwitchInfo lighting_cache_switches[] = {
     {"HISTORY", lighting_cache_HISTORY_values, 0, "motion: objects move, and motion vectors are at hand; still: nothing moves",
      "fetched by camera reprojection, along gInVelocity, at the same place, or not at all", {}},
     {"RESAMPLING", lighting_cache_RESAMPLING_values, 1, "",
-     "how history is read between texels; packed pairs bilinear in four point reads", {}},
+     "how history is read between texels; packed pairs bilinear by gathers, or four point reads", {}},
     {"CHANGE_DETECTION", lighting_cache_CHANGE_DETECTION_values, 0, "occluders appear and disappear",
      "history that the fresh values around do not bear out is given up", {}},
     {"ORTHOGRAPHIC", lighting_cache_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
      "rays are parallel", {}},
-    {"HALF_DEPTH", lighting_cache_HALF_DEPTH_values, 0, "occlusion is computed",
+    {"HALF_DEPTH", lighting_cache_HALF_DEPTH_values, 0, "four points or more are checked",
      "points are checked against depth of 16 bits", {}},
 };
 inline constexpr BindingInfo lighting_cache_bindings[] = {
@@ -1084,7 +1084,7 @@ inline constexpr SwitchInfo bilateral_filter_switches[] = {
     {"VALUES", bilateral_filter_VALUES_values, 0, "more than one value is cached",
      "how many; or occlusion and shadow packed in one number, in either order", {}},
     {"TAPS", bilateral_filter_TAPS_values, 0, "",
-     "five reads between texels, or nine of texels, which leak less at edges; packed pairs point", {}},
+     "five reads between texels, or nine of texels, which leak less at edges; packed pairs that are not gathered point", {}},
     {"STEP", bilateral_filter_STEP_values, 0, "taps lie farther apart than a texel, or nearer",
      "one: four texels a thread, whose taps are gathered; any: gDirection is times a step", bilateral_filter_STEP_stages},
 };
