@@ -142,7 +142,7 @@ TEST(Plan, motionThatNobodyWritesIsCleared) {
     EXPECT_TRUE(imageOf(still, "gOutVelocity")->cleared) << "objects are drawn over zero";
     EXPECT_FALSE(imageOf(planned({}), "gOutVelocity")->cleared) << "the camera's motion covers it";
     const FramePlan forced =
-        planned({.cameraMoves = false, .objectsMove = false}, {.overrides = {{"MOTION", "on"}}});
+        planned({.cameraMoves = false, .objectsMove = false}, {.overrides = {{"MOTION", "vectors"}}});
     ASSERT_NE(imageOf(forced, "gOutVelocity"), nullptr);
     EXPECT_TRUE(imageOf(forced, "gOutVelocity")->cleared);
 }

@@ -4,8 +4,8 @@
 //
 // gInColour       linear scene-referred colour, rendered with the jitter gJitterPx
 // gInColourFiltered  the same image, for reads between texels (four taps, motion blur)
-// gInDepth        R32F or D32F device depth of the same rendering (CLOSEST_FRAGMENT)
-// gInVelocity     motion, times gMotionToUv = currUv - prevUv without jitter (MOTION)
+// gInDepth        R32F or D32F device depth of the same rendering (CLOSEST_FRAGMENT, MOTION_CAMERA)
+// gInVelocity     motion, times gMotionToUv = currUv - prevUv without jitter (MOTION_VECTORS)
 // gHistoryColour  gOutHistory of the frame before; any content where gHistoryValid is 0
 // gOutHistory     the resolved colour, unjittered; also what is shown, without MOTION_BLUR_FALLBACK
 // gOutColour      what is shown, with MOTION_BLUR_FALLBACK
@@ -26,6 +26,7 @@
 #include "reprise/neighbourhood.hlsli"
 #include "reprise/platform.hlsli"
 #include "reprise/quad_sharing.hlsli"
+#include "reprise/reprojection.hlsli"
 #include "reprise/resampling.hlsli"
 #include "reprise/unjitter.hlsli"
 
@@ -38,6 +39,7 @@ BINDING(0) cbuffer TemporalAaParameters {
     float gFeedbackMax;   // history weight where they agree, or the constant one, [0, 1)
     float gBlurFromPx;    // motion up to which history is shown
     float gBlurToPx;      // motion from which motion blur alone is shown
+    row_major float4x4 gReprojection;   // MOTION_CAMERA: NDC and device depth to prev clip
 };
 
 TEXTURE_POINT(gInColour, 1);
@@ -96,11 +98,28 @@ float3 readColourFiltered(float2 uv) {
     return toWorkingSpace(SAMPLE(gInColourFiltered, uv).rgb);
 }
 
-float2 readMotion(float2 uv) {
-#if MOTION
+// Whether 3x3 depths are read; else motion is that of the pixel itself.
+#define SEEKS_CLOSEST (CLOSEST_FRAGMENT && !MOTION_OFF)
+
+// Of the fragment at a texel, with its device depth. The camera's is what camera_velocity computes, without
+// its image. A closest fragment is in the image: depths beyond an edge equal those at it, which win.
+float2 motionOf(float2 uv, float depth) {
+#if MOTION_VECTORS
     return SAMPLE(gInVelocity, uv).rg * gMotionToUv;
+#elif MOTION_CAMERA
+    float2 currUv = uv - gJitterPx * gOutputSize.zw;
+    return currUv - reprojectDeviceDepth(currUv, depth, gReprojection);
 #else
     return float2(0.0, 0.0);
+#endif
+}
+
+// Of the pixel itself.
+float2 ownMotion(float2 uv) {
+#if MOTION_CAMERA
+    return motionOf(uv, SAMPLE(gInDepth, uv).r);
+#else
+    return motionOf(uv, 0.0);
 #endif
 }
 
@@ -339,18 +358,21 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
 #endif
 
     float2 motions[COLUMN];
-#if MOTION && CLOSEST_FRAGMENT
+#if SEEKS_CLOSEST
     float3 depthRows[ROWS];
     [unroll] for (int pair = 0; pair < ROWS; pair += 2)
         readDepthRows(firstUv + below * float(pair - 1), side, depthRows[pair], depthRows[pair + 1]);
 #endif
     [unroll] for (int y = 0; y < COLUMN; ++y) {
         float2 uv = firstUv + below * float(y);
-#if MOTION && CLOSEST_FRAGMENT
+#if SEEKS_CLOSEST
         DepthSquare depths = depthSquareOf(depthRows[y], depthRows[y + 1], depthRows[y + 2]);
-        uv += closestFragment(depths) * side * gOutputSize.zw;
+        float depth;
+        uv += closestFragment(depths, depth) * side * gOutputSize.zw;
+        motions[y] = motionOf(uv, depth);
+#else
+        motions[y] = ownMotion(uv);
 #endif
-        motions[y] = readMotion(uv);
     }
     float3 histories[COLUMN];
     [unroll] for (int i = 0; i < COLUMN; ++i)
@@ -406,24 +428,16 @@ Neighbourhood readNeighbourhood(float2 uv, float2 side) {
     return n;
 }
 
-float2 readClosestOffset(float2 uv, float2 side) {
+float2 readClosestFragment(float2 uv, float2 side, out float depth) {
     // One gather around the outer corner, turned so that x: own column, outer row; and so on.
     float4 four = GATHER_RED(gInDepth, uv + 0.5 * side * gOutputSize.zw);
     float4 turnedX = side.x > 0.0 ? four : four.yxwz;
     float4 own = side.y > 0.0 ? turnedX : turnedX.wzyx;
     float3 swappedX = quadSwapX(own.wxx, side);
     float3 swappedY = quadSwapY(float3(own.w, own.z, swappedX.x), side);
-    DepthSquare d;
-    d.centre = own.w;
-    d.right = own.z;
-    d.down = own.x;
-    d.rightDown = own.y;
-    d.left = swappedX.x;
-    d.leftDown = swappedX.y;
-    d.up = swappedY.x;
-    d.rightUp = swappedY.y;
-    d.leftUp = swappedY.z;
-    return closestFragment(d) * side;
+    DepthSquare depths =
+        depthSquareOf(swappedY.zxy, float3(swappedX.x, own.wz), float3(swappedX.y, own.xy));
+    return closestFragment(depths, depth) * side;
 }
 
 #else
@@ -442,8 +456,8 @@ Neighbourhood readNeighbourhood(float2 uv, float2 side) {
     return n;
 }
 
-float2 readClosestOffset(float2 uv, float2 side) {
-    return closestFragment(readDepthSquare(TEXTURE_ARGUMENT(gInDepth), uv, gOutputSize.zw));
+float2 readClosestFragment(float2 uv, float2 side, out float depth) {
+    return closestFragment(readDepthSquare(TEXTURE_ARGUMENT(gInDepth), uv, gOutputSize.zw), depth);
 }
 
 #endif
@@ -463,10 +477,12 @@ Outputs mainFragment(float4 positionPx : POSITION_PX) {
     float2 side = float2(1.0, 1.0);
 #endif
 
-#if MOTION && CLOSEST_FRAGMENT
-    float2 motion = readMotion(uv + readClosestOffset(uv, side) * gOutputSize.zw);
+#if SEEKS_CLOSEST
+    float depth;
+    float2 offset = readClosestFragment(uv, side, depth);
+    float2 motion = motionOf(uv + offset * gOutputSize.zw, depth);
 #else
-    float2 motion = readMotion(uv);
+    float2 motion = ownMotion(uv);
 #endif
 
     float3 history = readHistory(uv - motion);

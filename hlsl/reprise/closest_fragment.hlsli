@@ -34,15 +34,21 @@ float2 closestInRow(float left, float centre, float right) {
     return isCloser(side.x, centre) ? side : float2(centre, 0.0);
 }
 
-// Offset in texels, each in {-1, 0, 1}, of the closest of nine. The own row wins against equals, and in it
-// the centre. Row by row: a thread that resolves a column of pixels shares the rows.
-float2 closestFragment(DepthSquare d) {
+// Offset in texels, each in {-1, 0, 1}, of the closest of nine, and its depth. The own row wins against
+// equals, and in it the centre. Row by row: a thread that resolves a column of pixels shares the rows.
+float2 closestFragment(DepthSquare d, out float depth) {
     float2 own = closestInRow(d.left, d.centre, d.right);
     float2 up = closestInRow(d.leftUp, d.up, d.rightUp);
     float2 down = closestInRow(d.leftDown, d.down, d.rightDown);
     float2 outer = isCloser(down.x, up.x) ? down : up;
     float outerY = isCloser(down.x, up.x) ? 1.0 : -1.0;
+    depth = isCloser(outer.x, own.x) ? outer.x : own.x;
     return isCloser(outer.x, own.x) ? float2(outer.y, outerY) : float2(own.y, 0.0);
+}
+
+float2 closestFragment(DepthSquare d) {
+    float depth;
+    return closestFragment(d, depth);
 }
 
 #if HAS_GATHER

@@ -44,6 +44,16 @@ uint8_t valueAt(const Variant& variant, size_t index) {
     return index < variant.values.size() ? variant.values[index] : variant.pass->switches[index].defaultValue;
 }
 
+// Of those on one switch, one.
+bool allHold(const Variant& variant, std::span<const Condition> conditions) {
+    return std::ranges::all_of(conditions, [&](const Condition& condition) {
+        return std::ranges::any_of(conditions, [&](const Condition& alternative) {
+            return alternative.switchName == condition.switchName &&
+                   switchValue(variant, alternative.switchName) == alternative.value;
+        });
+    });
+}
+
 Result<std::vector<uint32_t>> readWords(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
@@ -97,14 +107,7 @@ std::string_view switchValue(const Variant& variant, std::string_view switchName
 }
 
 bool exists(const Variant& variant, const ImageInfo& image) {
-    const auto holds = [&](const Condition& condition) {
-        return switchValue(variant, condition.switchName) == condition.value;
-    };
-    return std::ranges::all_of(image.when, [&](const Condition& condition) {
-        return std::ranges::any_of(image.when, [&](const Condition& alternative) {
-            return alternative.switchName == condition.switchName && holds(alternative);
-        });
-    });
+    return allHold(variant, image.when) || (!image.orWhen.empty() && allHold(variant, image.orWhen));
 }
 
 std::string_view formatOf(const Variant& variant, const ImageInfo& image) {

@@ -33,7 +33,7 @@ std::map<std::string, int> reversedIs(bool reversed) {
     return {{"DEPTH_REVERSED", reversed}};
 }
 
-// Nine different depths: which one is closest is no question.
+// Nine different depths: which one is closest is no question. Its depth comes with its offset.
 Comparison closest(bool reversed) {
     Random random(1);
     std::vector<Row> rows;
@@ -47,13 +47,16 @@ Comparison closest(bool reversed) {
     }
     return {{"closestFragment",
              {header},
-             fillDepths + "out0.xy = closestFragment(d);",
+             fillDepths + "out0.xy = closestFragment(d, out0.z);",
              3,
              1,
              reversedIs(reversed)},
             rows,
             [reversed](const Row& in) {
-                return std::vector{near(dvec2(oracle::closestFragment(depthsOf(in), reversed)), 0.0)};
+                const oracle::DepthSquare square = depthsOf(in);
+                const glm::ivec2 offset = oracle::closestFragment(square, reversed);
+                const double depth = square[static_cast<size_t>((offset.y + 1) * 3 + offset.x + 1)];
+                return std::vector{near(dvec3(offset, depth), 0.0)};
             }};
 }
 
@@ -67,6 +70,8 @@ TEST(ClosestFragment, wrongOffsetsOrAForgottenRowAreCaught) {
                                   "float outerY = isCloser(down.x, up.x) ? -1.0 : 1.0;"});
     expectCaught(closest(false), {header, "closestInRow(d.leftUp, d.up, d.rightUp)",
                                   "closestInRow(d.leftUp, d.up, d.leftUp)"});
+    expectCaught(closest(false),
+                 {header, "depth = isCloser(outer.x, own.x) ? outer.x : own.x;", "depth = own.x;"});
     expectCaught(closest(true), {"reprise/depth.hlsli", "#if DEPTH_REVERSED", "#if !DEPTH_REVERSED"});
 }
 

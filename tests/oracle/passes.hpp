@@ -53,6 +53,8 @@ struct TemporalAa {
     const Image* depth = nullptr;
     const Image* velocity = nullptr;
     const Image* history = nullptr;
+    // Of MOTION_CAMERA: velocity is then what cameraVelocity() gives, and this its error in float32.
+    const Image* velocityError = nullptr;
 
     double filterErrorPx = 0.0; // of the weights of the device's linear filter
 };
@@ -84,11 +86,13 @@ inline dvec2 disturbedUv(const TemporalAa& taa, dvec2 uv, Disturbance& disturb) 
     return disturb(uv, uvError(taa, uv));
 }
 
-inline dvec2 motionAt(const TemporalAa& taa, int x, int y) {
+inline dvec2 motionAt(const TemporalAa& taa, int x, int y, Disturbance& disturb) {
     if (!taa.motion) return dvec2(0.0);
     ivec2 offset(0);
     if (taa.closestFragment) offset = closestFragment(depthSquareAt(*taa.depth, x, y), taa.depthReversed);
-    return dvec2(texelClamped(*taa.velocity, x + offset.x, y + offset.y)) * taa.motionToUv;
+    dvec2 motion = dvec2(texelClamped(*taa.velocity, x + offset.x, y + offset.y)) * taa.motionToUv;
+    if (!taa.velocityError) return motion;
+    return disturb(motion, dvec2(texelClamped(*taa.velocityError, x + offset.x, y + offset.y)));
 }
 
 // What the neighbourhood gives: the box, the current colour to blend with, and the largest number in reach,
@@ -200,7 +204,7 @@ inline TemporalAaPixel temporalAa(const TemporalAa& taa, int x, int y, Disturban
                                   int* count = nullptr) {
     dvec2 extent = taa.colour->extent();
     dvec2 uv = dvec2(x + 0.5, y + 0.5) / extent;
-    dvec2 motion = motionAt(taa, x, y);
+    dvec2 motion = motionAt(taa, x, y, disturb);
     bool fourTap = taa.neighbourhood == TemporalAa::Neighbourhood::fourTap;
     Surroundings around = fourTap ? surroundingsFourTap(taa, x, y, uv, motion * extent, disturb)
                                   : surroundingsSquare(taa, x, y);

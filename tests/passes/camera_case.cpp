@@ -41,10 +41,12 @@ Product productOf(const CameraCase& frame, int x, int y) {
     return product;
 }
 
+} // namespace
+
 // Four products and their sums, matrix and vector rounded before: eight roundings of 2^-24 of the magnitudes.
 // Where w itself is not above them, either side of the guard is right; and so is any place outside of the
 // image for a surface that was 8 images or more away.
-glm::dvec2 boundOf(const CameraCase& frame, int x, int y) {
+glm::dvec2 motionBound(const CameraCase& frame, int x, int y) {
     const Product product = productOf(frame, x, y);
     const glm::dvec4 error = 8.0 * 0x1p-24 * product.magnitude;
     const double w = std::abs(product.clip.w);
@@ -55,8 +57,6 @@ glm::dvec2 boundOf(const CameraCase& frame, int x, int y) {
     return 0.5 * (glm::dvec2(error) + ndc * error.w) / (w - error.w) +
            0x1p-22 * glm::max(ndc, glm::dvec2(1.0));
 }
-
-} // namespace
 
 std::string text(const CameraKind& kind) {
     const std::string depth = kind.depth == Depth::standard   ? "standard"
@@ -146,7 +146,7 @@ Comparison compareWithOracle(const CameraCase& frame, const Pixels& velocity) {
         velocity,
         [&](int x, int y, bool careful) {
             const glm::dvec2 motion = oracle::cameraVelocity(frame.pass, x, y, frame.depth.at(x, y, 0));
-            const glm::dvec2 bound = careful ? boundOf(frame, x, y) : glm::dvec2(0.0);
+            const glm::dvec2 bound = careful ? motionBound(frame, x, y) : glm::dvec2(0.0);
             return Expected{{motion, 0.0}, {bound, 0.0}};
         },
         2);

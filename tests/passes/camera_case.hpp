@@ -15,10 +15,12 @@ enum class Projection { perspective, orthographic };
 struct CameraKind {
     Depth depth = Depth::standard;
     Projection projection = Projection::perspective;
-    bool exists() const {
-        return !(depth == Depth::reversedInfinite && projection == Projection::orthographic);
-    }
 };
+inline constexpr CameraKind cameraKinds[] = {{Depth::standard, Projection::perspective},
+                                             {Depth::reversed, Projection::perspective},
+                                             {Depth::reversedInfinite, Projection::perspective},
+                                             {Depth::standard, Projection::orthographic},
+                                             {Depth::reversed, Projection::orthographic}};
 std::string text(const CameraKind& kind);
 constexpr double nearPlane = 0.25, farPlane = 60.0;
 
@@ -44,6 +46,8 @@ void setParameters(CameraCase& frame);
 CameraCase randomCameraCase(const CameraKind& kind, bool depthLinear, int width, int height, uint64_t seed,
                             bool behind = false);
 std::vector<Pixels> run(Pass& pass, const CameraCase& frame);
+// What float32 may make of the motion of a pixel; infinite where either side of the guard is right.
+glm::dvec2 motionBound(const CameraCase& frame, int x, int y);
 Comparison compareWithOracle(const CameraCase& frame, const Pixels& velocity);
 
 } // namespace passes

@@ -2,7 +2,7 @@
 // camera_velocity executed and held to the oracle.
 //
 // Bounds: the store to the output's format, and float32 roundings of the matrix product and the division,
-// relative to the terms that are summed (boundOf in camera_case.cpp).
+// relative to the terms that are summed (motionBound in camera_case.cpp).
 #include "camera_case.hpp"
 
 #include <cmath>
@@ -10,12 +10,6 @@
 
 namespace passes {
 namespace {
-
-constexpr CameraKind kinds[] = {{Depth::standard, Projection::perspective},
-                                {Depth::reversed, Projection::perspective},
-                                {Depth::reversedInfinite, Projection::perspective},
-                                {Depth::standard, Projection::orthographic},
-                                {Depth::reversed, Projection::orthographic}};
 
 Variant variantFor(const CameraKind& kind, bool depthLinear) {
     return variantOf(pack(), "camera_velocity",
@@ -28,7 +22,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, CameraVelocity, testing::Values(Stage::fragment
                          [](const auto& each) { return stageText(each.param); });
 
 TEST_P(CameraVelocity, equalsTheOracleAtEverySize) {
-    for (const CameraKind& kind : kinds) {
+    for (const CameraKind& kind : cameraKinds) {
         for (const bool depthLinear : {false, true}) {
             const Variant variant = variantFor(kind, depthLinear);
             for (const VkFormat format : {rg32f, rg16f}) {
@@ -47,9 +41,9 @@ TEST_P(CameraVelocity, equalsTheOracleAtEverySize) {
 // The orthographic form has parallel rays: what stands for perspective there is the switch alone.
 TEST_P(CameraVelocity, surfacesBehindThePreviousCameraLeaveTheImage) {
     for (const bool depthLinear : {false, true}) {
-        const Variant variant = variantFor(kinds[0], depthLinear);
+        const Variant variant = variantFor(cameraKinds[0], depthLinear);
         Pass pass(variant, GetParam(), {rg32f});
-        const CameraCase frame = randomCameraCase(kinds[0], depthLinear, 64, 64, 22, true);
+        const CameraCase frame = randomCameraCase(cameraKinds[0], depthLinear, 64, 64, 22, true);
         const Pixels velocity = run(pass, frame)[0];
         const Comparison result = compareWithOracle(frame, velocity);
         EXPECT_TRUE(result.holds()) << describe(variant, GetParam(), 64, 64) << ": " << text(result);
@@ -62,9 +56,9 @@ TEST_P(CameraVelocity, surfacesBehindThePreviousCameraLeaveTheImage) {
 
 TEST_P(CameraVelocity, brokenDepthReachesItsOwnPixelAlone) {
     for (const bool depthLinear : {false, true}) {
-        const Variant variant = variantFor(kinds[0], depthLinear);
+        const Variant variant = variantFor(cameraKinds[0], depthLinear);
         Pass pass(variant, GetParam(), {rg16f});
-        const CameraCase clean = randomCameraCase(kinds[0], depthLinear, 16, 16, 23);
+        const CameraCase clean = randomCameraCase(cameraKinds[0], depthLinear, 16, 16, 23);
         const Pixels expected = run(pass, clean)[0];
         const float infinity = std::numeric_limits<float>::infinity();
         for (const float value : {std::nanf(""), infinity, -infinity, -1.0f, 1e38f, -1e38f}) {
@@ -88,8 +82,8 @@ TEST_P(CameraVelocity, brokenDepthReachesItsOwnPixelAlone) {
 TEST_P(CameraVelocity, wholeBrokenDepthGivesFiniteMotion) {
     const float infinity = std::numeric_limits<float>::infinity();
     for (const bool depthLinear : {false, true}) {
-        Pass pass(variantFor(kinds[0], depthLinear), GetParam(), {rg16f});
-        CameraCase frame = randomCameraCase(kinds[0], depthLinear, 16, 16, 24);
+        Pass pass(variantFor(cameraKinds[0], depthLinear), GetParam(), {rg16f});
+        CameraCase frame = randomCameraCase(cameraKinds[0], depthLinear, 16, 16, 24);
         for (const float value : {std::nanf(""), infinity, -infinity, -1.0f, 0.0f, 1e38f, -1e38f}) {
             std::fill(frame.depth.values.begin(), frame.depth.values.end(), value);
             const Pixels velocity = run(pass, frame)[0];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Depth kinds x projections x direction of y x jittered or not x sign and scale of motion: camera_velocity
-// finds the motion that ray casting finds, and temporal_aa fetches history from where the surface was.
+// finds the motion that ray casting finds, and temporal_aa fetches history from where the surface was, by
+// motion that it is given and by its own.
 #include "planes.hpp"
 #include "temporal_aa_case.hpp"
 
@@ -17,12 +18,6 @@ constexpr double aspect = static_cast<double>(width) / height;
 // the background, whose parallax changes by less than 1/4 px per metre. The rest is roundings of the matrix
 // product.
 constexpr double motionBoundPx = 1.0 / 512.0;
-
-constexpr CameraKind kinds[] = {{Depth::standard, Projection::perspective},
-                                {Depth::reversed, Projection::perspective},
-                                {Depth::reversedInfinite, Projection::perspective},
-                                {Depth::standard, Projection::orthographic},
-                                {Depth::reversed, Projection::orthographic}};
 
 struct Setting {
     CameraKind kind;
@@ -80,12 +75,13 @@ Pass velocityPass(const Setting& setting, Stage stage, bool depthLinear, VkForma
     return Pass(variant, stage, {format}, pack(), platformOf(setting));
 }
 
-Pass historyPass(const Setting& setting, Stage stage, bool closest) {
+Pass historyPass(const Setting& setting, Stage stage, bool closest, std::string_view motion = "vectors") {
     const Variant variant =
         variantOf(pack(), "temporal_aa",
                   {{"CONSTRAINT", "none"},
                    {"UNJITTER", "off"},
                    {"MOTION_BLUR_FALLBACK", "off"},
+                   {"MOTION", motion},
                    {"CLOSEST_FRAGMENT", closest ? "on" : "off"},
                    {"DEPTH_REVERSED", setting.kind.depth == Depth::standard ? "off" : "on"}});
     return Pass(variant, stage, {rgba32f}, pack(), platformOf(setting));
@@ -93,7 +89,7 @@ Pass historyPass(const Setting& setting, Stage stage, bool closest) {
 
 std::vector<Setting> settings() {
     std::vector<Setting> all;
-    for (const CameraKind& kind : kinds)
+    for (const CameraKind& kind : cameraKinds)
         for (const bool sharesY : {false, true})
             for (const bool jittered : {false, true})
                 all.push_back({kind, sharesY, jittered});
@@ -161,6 +157,7 @@ TemporalAaFrame frameOf(const CameraCase& camera, const Pixels& velocity, const 
         frame.parameters.gMotionToUv[i] = form.toUv[i];
         frame.parameters.gJitterPx[i] = static_cast<float>(camera.pass.jitterPx[i]);
     }
+    std::ranges::copy(camera.parameters.gReprojection, frame.parameters.gReprojection);
     return frame;
 }
 
@@ -205,16 +202,20 @@ TEST_P(ConventionMatrix, historyIsFetchedWhereTheClosestSurfaceWas) {
         const CameraCase camera = caseOf(setting, truth, false);
         Pass velocity = velocityPass(setting, GetParam(), false, rg32f);
         Pass pass = historyPass(setting, GetParam(), true);
+        Pass reprojecting = historyPass(setting, GetParam(), true, "camera");
         const Pixels motion = run(velocity, camera)[0];
-        for (const MotionForm& form : forms) {
+        const auto expectHistory = [&](Pass& from, const MotionForm& form) {
             TemporalAaFrame frame = frameOf(camera, motion, form);
             frame.history = noise;
             const Comparison result = compare(
-                run(pass, frame)[0],
+                run(from, frame)[0],
                 [&](int x, int y, bool) { return expectedOf(truth, frame, history, x, y); }, 3);
             EXPECT_TRUE(result.holds()) << stageText(GetParam()) << ", " << text(setting) << ", motion "
                                         << form.name << ": " << text(result);
-        }
+        };
+        for (const MotionForm& form : forms)
+            expectHistory(pass, form);
+        expectHistory(reprojecting, {"of its own", {0.0f, 0.0f}});
     }
 }
 

@@ -26,7 +26,7 @@ glm::dvec2 motionAt(const Variant& variant, const TemporalAaFrame& frame, glm::i
                                         reversed);
         from = glm::clamp(from, glm::ivec2(0), glm::ivec2(frame.width() - 1, frame.height() - 1));
     }
-    return {frame.velocity.at(from.x, from.y, 0), frame.velocity.at(from.x, from.y, 1)};
+    return motionOf(variant, frame, from.x, from.y);
 }
 
 // First texel of the 2x2 that a linear read at `px` takes, clamped as the sampler does.

@@ -12,12 +12,6 @@ class ObjectVelocity : public PassTest, public testing::WithParamInterface<bool>
 INSTANTIATE_TEST_SUITE_P(Skinning, ObjectVelocity, testing::Bool(),
                          [](const auto& each) { return each.param ? "skinned" : "rigid"; });
 
-constexpr CameraKind kinds[] = {{Depth::standard, Projection::perspective},
-                                {Depth::reversed, Projection::perspective},
-                                {Depth::reversedInfinite, Projection::perspective},
-                                {Depth::standard, Projection::orthographic},
-                                {Depth::reversed, Projection::orthographic}};
-
 void expectOracle(const ObjectCase& object) {
     const Comparison result = compareWithOracle(object, recordedMotion(object));
     EXPECT_TRUE(result.holds()) << (object.skinned ? "skinned, " : "rigid, ") << text(object.kind) << ", "
@@ -26,7 +20,7 @@ void expectOracle(const ObjectCase& object) {
 }
 
 TEST_P(ObjectVelocity, equalsTheOracleForEveryCameraKind) {
-    for (const CameraKind& kind : kinds) {
+    for (const CameraKind& kind : cameraKinds) {
         ObjectCase object{.skinned = GetParam(), .kind = kind};
         expectOracle(object);
         object.jitterPx = {0.0, 0.0};
@@ -42,7 +36,7 @@ TEST_P(ObjectVelocity, equalsTheOracleAtEverySize) {
 }
 
 TEST_P(ObjectVelocity, whatIsBehindTheSceneLeavesTheCamerasMotion) {
-    for (const CameraKind& kind : kinds)
+    for (const CameraKind& kind : cameraKinds)
         expectOracle({.skinned = GetParam(), .kind = kind, .occludedColumns = 30});
 }
 
@@ -62,7 +56,7 @@ std::string firstNotFinite(const Pixels& motion) {
 // Where it was is unknown: what is seen of it came from outside of the image, which rejects its history, and
 // nothing else changes. Divided as it comes it is NaN. 1e38 may come to lie anywhere.
 TEST_P(ObjectVelocity, whatWasAtNoPlaceCameFromOutside) {
-    for (const CameraKind& kind : kinds)
+    for (const CameraKind& kind : cameraKinds)
         for (const float value : brokenValues) {
             const ObjectCase sound{.skinned = GetParam(), .kind = kind};
             ObjectCase broken = sound;

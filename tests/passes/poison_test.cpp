@@ -176,6 +176,45 @@ TEST_P(Poison, whatItLeavesInHistoryDecaysAsTheWeightsPowers) {
     }
 }
 
+// Where the depth is broken, so is the camera's motion: history is dropped, or comes from anywhere in the
+// image, never from a NaN. With the depth the motion is whole again.
+TEST_P(Poison, brokenDepthMovesHistoryForOneFrame) {
+    for (const std::string_view closest : {"off", "on"}) {
+        const Variant variant = variantOf(pack(), "temporal_aa",
+                                          {{"MOTION", "camera"},
+                                           {"CLOSEST_FRAGMENT", closest},
+                                           {"CONSTRAINT", "none"},
+                                           {"UNJITTER", "off"}});
+        Pass pass(variant, GetParam(), {rgba32f, rgba32f});
+        TemporalAaFrame clean = wideFrame(17);
+        clean.depth.at(7, 6, 0) = 0x1p-11f; // the closest of all, which any poison changes
+        const auto expected = run(pass, clean);
+        for (const float value : poisons) {
+            TemporalAaFrame frame = clean;
+            poisonTexel(frame.depth, {7, 6}, value);
+            const auto got = run(pass, frame);
+            EXPECT_EQ(firstBroken(got), "") << value;
+            size_t moved = 0;
+            for (int i = 0; i < width * height; ++i) {
+                const int x = i % width, y = i / width;
+                const bool near =
+                    std::abs(x - 7) <= (closest == "on") && std::abs(y - 6) <= (closest == "on");
+                const bool same = got[0].at(x, y, 0) == expected[0].at(x, y, 0);
+                EXPECT_TRUE(near || same) << value << " at " << x << ", " << y;
+                moved += !same;
+            }
+            EXPECT_GT(moved, 0u) << value;
+            // The motion of the next frame is that of its own depth, so the oracle, given the history that
+            // the poison left, says what comes.
+            frame.depth = clean.depth;
+            frame.history = got[0];
+            const auto next = run(pass, frame);
+            const Comparison result = compareWithOracle(variant, frame, next);
+            EXPECT_TRUE(result.holds()) << value << ": " << text(result);
+        }
+    }
+}
+
 // With the neighbourhood, what is left after one frame lies in the box of the clean colours around it.
 TEST_P(Poison, theNeighbourhoodForgetsAfterOneFrame) {
     for (const std::string_view constraint : {"clamp", "clip_centre", "clip_line"}) {

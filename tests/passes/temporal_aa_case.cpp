@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "temporal_aa_case.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace passes {
 
@@ -76,7 +78,7 @@ void applySwitches(oracle::TemporalAa& taa, const Variant& variant) {
     auto is = [&](std::string_view name, std::string_view value) {
         return reprise::switchValue(variant, name) == value;
     };
-    taa.motion = is("MOTION", "on");
+    taa.motion = !is("MOTION", "off");
     taa.closestFragment = is("CLOSEST_FRAGMENT", "on");
     taa.ycocg = is("COLOUR_SPACE", "ycocg");
     taa.luminanceFeedback = is("FEEDBACK", "luminance");
@@ -99,7 +101,99 @@ void applyParameters(oracle::TemporalAa& taa, const reprise::TemporalAaParameter
     taa.blurToPx = parameters.gBlurToPx;
 }
 
+bool isCamera(const Variant& variant) {
+    return reprise::switchValue(variant, "MOTION") == "camera";
+}
+
+// The levels of randomDepth() as surfaces from 0.4 to 25 m, and the sky: two of them differ by more than
+// shared reads round by.
+float surfaceDepth(const CameraKind& kind, const oracle::Camera& camera, double level) {
+    if (level > 0.9) return kind.depth == Depth::standard ? 1.0f : 0.0f;
+    return static_cast<float>(oracle::deviceDepth(0.4 * std::pow(100.0, level), camera.viewToClip));
+}
+
+// Its depth is that of the frame; parameters follow.
+void setCamera(TemporalAaFrame& frame, const oracle::CameraVelocity& camera) {
+    frame.camera = camera;
+    CameraCase same{.pass = camera, .depth = {}};
+    setParameters(same);
+    std::ranges::copy(same.parameters.gReprojection, frame.parameters.gReprojection);
+    for (int i = 0; i < 2; ++i)
+        frame.parameters.gJitterPx[i] = static_cast<float>(camera.jitterPx[i]);
+}
+
+// The motion of every texel in double precision, and what float32 may make of it.
+struct CameraMotion {
+    oracle::Image motion, error;
+
+    explicit CameraMotion(const TemporalAaFrame& frame)
+        : motion(frame.width(), frame.height()), error(frame.width(), frame.height()) {
+        CameraCase camera{.pass = frame.camera, .depth = frame.depth};
+        setParameters(camera);
+        for (int y = 0; y < frame.height(); ++y)
+            for (int x = 0; x < frame.width(); ++x) {
+                const double depth = frame.depth.at(x, y, 0);
+                motion.at(x, y) = {oracle::cameraVelocity(camera.pass, x, y, depth), 0.0, 0.0};
+                error.at(x, y) = {motionBound(camera, x, y), 0.0, 0.0};
+            }
+    }
+};
+
+// What the oracle takes of a frame.
+struct OracleFrame {
+    oracle::Image colour, depth, velocity, history;
+    std::optional<CameraMotion> camera;
+    oracle::TemporalAa taa;
+
+    OracleFrame(const Variant& variant, const TemporalAaFrame& frame, double coordinateErrorPx)
+        : colour(oracleImage(frame.colour)), depth(oracleImage(frame.depth)),
+          velocity(oracleImage(frame.velocity)), history(oracleImage(frame.history)) {
+        applySwitches(taa, variant);
+        applyParameters(taa, frame.parameters);
+        taa.colour = &colour;
+        taa.depth = &depth;
+        taa.velocity = &velocity;
+        taa.history = &history;
+        taa.filterErrorPx = coordinateErrorPx;
+        if (!isCamera(variant)) return;
+        camera.emplace(frame);
+        taa.velocity = &camera->motion;
+        taa.velocityError = &camera->error;
+        taa.motionToUv = {1.0, 1.0};
+    }
+    OracleFrame(const OracleFrame&) = delete; // taa points into it
+
+    glm::dvec3 valueOf(size_t output, int x, int y) const {
+        return ofOutput(output, oracle::temporalAa(taa, x, y));
+    }
+    glm::dvec3 errorOf(size_t output, int x, int y) const {
+        return ofOutput(output, oracle::temporalAaError(taa, x, y));
+    }
+
+private:
+    static glm::dvec3 ofOutput(size_t output, const oracle::TemporalAaPixel& pixel) {
+        return output == 0 ? pixel.history : pixel.colour;
+    }
+};
+
+template <class ExpectedOf>
+Comparison compareEach(const std::vector<Pixels>& outputs, const ExpectedOf& expectedOf) {
+    Comparison all;
+    for (size_t output = 0; output < outputs.size(); ++output) {
+        const Comparison each = compare(
+            outputs[output], [&](int x, int y, bool careful) { return expectedOf(output, x, y, careful); },
+            3);
+        join(all, each, output == 0 ? "gOutHistory" : "gOutColour");
+    }
+    return all;
+}
+
 } // namespace
+
+glm::dvec2 motionOf(const Variant& variant, const TemporalAaFrame& frame, int x, int y) {
+    if (isCamera(variant)) return oracle::cameraVelocity(frame.camera, x, y, frame.depth.at(x, y, 0));
+    return {frame.velocity.at(x, y, 0), frame.velocity.at(x, y, 1)};
+}
 
 reprise::TemporalAaParameters parametersFor(int width, int height) {
     const auto w = static_cast<float>(width), h = static_cast<float>(height);
@@ -111,7 +205,8 @@ reprise::TemporalAaParameters parametersFor(int width, int height) {
             .gFeedbackMax = 0.97f,
             .gBlurFromPx = 2.0f,
             .gBlurToPx = 15.0f,
-            .pad0 = {}};
+            .pad0 = {},
+            .gReprojection = {}};
 }
 
 TemporalAaFrame randomFrame(int width, int height, uint64_t seed, Contrast contrast) {
@@ -131,6 +226,21 @@ TemporalAaFrame randomFrame(int width, int height, uint64_t seed, Contrast contr
         return historyTexel(hashOf(seed, historyStream), frame.colour, x, y, contrast);
     });
     frame.parameters = parametersFor(width, height);
+    const double aspect = static_cast<double>(width) / height;
+    // Most of the depths are within a metre, where a step of centimetres is a motion of many pixels.
+    setCamera(frame,
+              {.current = {viewOf({0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}), projectionOf({}, aspect)},
+               .previous = {viewOf({0.02, 0.01, -0.03}, {0.02, -0.01, 0.04}), projectionOf({}, aspect, 1.03)},
+               .jitterPx = {0.28125, -0.40625},
+               .extent = {width, height}});
+    return frame;
+}
+
+TemporalAaFrame cameraFrame(const CameraKind& kind, int width, int height, uint64_t seed, bool behind) {
+    TemporalAaFrame frame = randomFrame(width, height, seed);
+    setCamera(frame, randomCameraCase(kind, false, width, height, seed, behind).pass);
+    for (float& depth : frame.depth.values)
+        depth = surfaceDepth(kind, frame.camera.current, depth);
     return frame;
 }
 
@@ -149,31 +259,25 @@ Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& fram
 
 Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& frame,
                              const std::vector<Pixels>& outputs, double coordinateErrorPx) {
-    const oracle::Image colour = oracleImage(frame.colour), depth = oracleImage(frame.depth);
-    const oracle::Image velocity = oracleImage(frame.velocity), history = oracleImage(frame.history);
-    oracle::TemporalAa taa;
-    applySwitches(taa, variant);
-    applyParameters(taa, frame.parameters);
-    taa.colour = &colour;
-    taa.depth = &depth;
-    taa.velocity = &velocity;
-    taa.history = &history;
-    taa.filterErrorPx = coordinateErrorPx;
-    Comparison all;
-    for (size_t output = 0; output < outputs.size(); ++output) {
-        const auto valueOf = [&](const oracle::TemporalAaPixel& pixel) {
-            return output == 0 ? pixel.history : pixel.colour;
-        };
-        const Comparison each = compare(
-            outputs[output],
-            [&](int x, int y, bool careful) {
-                return Expected{valueOf(oracle::temporalAa(taa, x, y)),
-                                careful ? valueOf(oracle::temporalAaError(taa, x, y)) : glm::dvec3(0.0)};
-            },
-            3);
-        join(all, each, output == 0 ? "gOutHistory" : "gOutColour");
-    }
-    return all;
+    const OracleFrame with(variant, frame, coordinateErrorPx);
+    return compareEach(outputs, [&](size_t output, int x, int y, bool careful) {
+        return Expected{with.valueOf(output, x, y), careful ? with.errorOf(output, x, y) : glm::dvec3(0.0)};
+    });
+}
+
+Comparison compareWithVectors(const Variant& variant, const TemporalAaFrame& frame,
+                              const std::vector<Pixels>& outputs, const std::vector<Pixels>& expected) {
+    OracleFrame with(variant, frame, linearFilterError());
+    for (int y = 0; y < frame.height(); ++y)
+        for (int x = 0; x < frame.width(); ++x)
+            for (int c = 0; c < 2; ++c)
+                with.camera->error.at(x, y)[c] +=
+                    storeError(frame.velocity.format, frame.velocity.at(x, y, c));
+    return compareEach(outputs, [&](size_t output, int x, int y, bool careful) {
+        const glm::dvec3 value(expected[output].at(x, y, 0), expected[output].at(x, y, 1),
+                               expected[output].at(x, y, 2));
+        return Expected{value, careful ? with.errorOf(output, x, y) : glm::dvec3(0.0)};
+    });
 }
 
 } // namespace passes

@@ -2,14 +2,13 @@
 // Random frames for temporal_aa, its execution and its comparison with the oracle.
 #pragma once
 
-#include "comparison.hpp"
-#include "oracle/passes.hpp"
-#include "reprise/pack_table.hpp"
+#include "camera_case.hpp"
 
 namespace passes {
 
 struct TemporalAaFrame {
     Pixels colour, depth, velocity, history;
+    oracle::CameraVelocity camera; // of MOTION_CAMERA, in place of velocity
     reprise::TemporalAaParameters parameters{};
 
     int width() const { return colour.width; }
@@ -21,6 +20,11 @@ enum class Contrast { moderate, extreme }; // 2^-6 to 2^4, or 0 and 2^-10 to 655
 // Every pixel has its own colour, motion (none, below a pixel, several pixels, out of the image) and depth;
 // no two depths of a 4x4 block are equal, so that the closest fragment is one.
 TemporalAaFrame randomFrame(int width, int height, uint64_t seed, Contrast contrast = Contrast::moderate);
+// The same with cameras and jitter of randomCameraCase(), and surfaces and sky that they may see.
+TemporalAaFrame cameraFrame(const CameraKind& kind, int width, int height, uint64_t seed,
+                            bool behind = false);
+// currUv - prevUv of what the texel shows, as the variant finds it.
+glm::dvec2 motionOf(const Variant& variant, const TemporalAaFrame& frame, int x, int y);
 reprise::TemporalAaParameters parametersFor(int width, int height);
 
 std::vector<Pixels> run(Pass& pass, const TemporalAaFrame& frame);
@@ -31,5 +35,8 @@ Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& fram
 // The same for a device whose coordinates and filter weights err by up to so much of a texel together.
 Comparison compareWithOracle(const Variant& variant, const TemporalAaFrame& frame,
                              const std::vector<Pixels>& outputs, double coordinateErrorPx);
+// Of a variant with MOTION_CAMERA against what it gives with the vectors `frame.velocity`, RG16F, instead.
+Comparison compareWithVectors(const Variant& variant, const TemporalAaFrame& frame,
+                              const std::vector<Pixels>& outputs, const std::vector<Pixels>& expected);
 
 } // namespace passes

@@ -159,9 +159,10 @@ std::vector<Row> depthSquares(const Effort& effort, bool withNaN) {
     return rows;
 }
 
-// Of equals any may be chosen, so the depth at the offset is what is compared.
+// Of equals any may be chosen, so the depth at the offset is what is compared, and the one that comes with
+// it.
 const std::string depthAtOffset =
-    fillSquare + "float2 offset = closestFragment(d);\n"
+    fillSquare + "float2 offset = closestFragment(d, out0.y);\n"
                  "float3 line3 = offset.y < -0.5 ? in0.xyz : offset.y > 0.5 ? in2.xyz : in1.xyz;\n"
                  "out0.x = offset.x < -0.5 ? line3.x : offset.x > 0.5 ? line3.z : line3.y;\n";
 
@@ -173,8 +174,8 @@ Case closestOfNine(bool reversed) {
                 return Sweep{depthSquares(effort, false), [reversed](const Row& in) {
                                  const oracle::DepthSquare square = squareOf(in);
                                  const glm::ivec2 o = oracle::closestFragment(square, reversed);
-                                 return std::vector{
-                                     right(square[static_cast<size_t>((o.y + 1) * 3 + o.x + 1)])};
+                                 const double found = square[static_cast<size_t>((o.y + 1) * 3 + o.x + 1)];
+                                 return std::vector{right(dvec2(found))};
                              }};
             }};
 }

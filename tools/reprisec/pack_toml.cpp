@@ -142,7 +142,7 @@ std::span<const Condition> Reader::conditions(const toml::table& parent, std::st
                 fail(node, set.error().message);
             list.push_back({keep(std::string(name.str())), keep(wanted)});
         };
-        if (key != "when" || !value.is_array()) {
+        if (!key.ends_with("when") || !value.is_array()) {
             add(value);
             continue;
         }
@@ -203,6 +203,7 @@ ImageInfo Reader::readImage(const toml::table& table, const PassInfo& pass) {
     image.history = textOr(table, "history");
     image.sameAs = textOr(table, "same_as");
     image.when = conditions(table, "when", pass);
+    image.orWhen = conditions(table, "or_when", pass);
     image.formatBy = formatsBy(table, pass);
     return image;
 }
@@ -219,7 +220,7 @@ void Reader::addBinding(const toml::table& table, std::vector<BindingInfo>& bind
 void Reader::readInput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
                        std::vector<BindingInfo>& bindings) {
     allow(table, {"name", "binding", "filter", "kind", "space", "format", "format_by", "scale", "width_scale",
-                  "when", "history", "same_as"});
+                  "when", "or_when", "history", "same_as"});
     const ImageInfo image = readImage(table, pass);
     images.push_back(image);
     const uint32_t binding = number(need(table, "binding"));
@@ -241,7 +242,8 @@ void Reader::readInput(const toml::table& table, const PassInfo& pass, std::vect
 
 void Reader::readOutput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
                         std::vector<BindingInfo>& bindings) {
-    allow(table, {"name", "binding", "space", "format", "format_by", "scale", "width_scale", "when"});
+    allow(table,
+          {"name", "binding", "space", "format", "format_by", "scale", "width_scale", "when", "or_when"});
     const ImageInfo image = readImage(table, pass);
     if (image.format.empty()) fail(table, "an output needs a format; add it");
     if (image.scale == 0.0f) fail(table, "an output has a share of the frame's extent; give a scale above 0");

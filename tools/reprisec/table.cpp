@@ -108,12 +108,13 @@ std::string addImages(Arrays& arrays, const std::string& pass, const char* what,
                       std::span<const reprise::ImageInfo> images) {
     std::vector<std::string> elements;
     for (const auto& each : images) {
-        const std::string when =
-            addConditions(arrays, pass + "_" + std::string(each.name) + "_when", each.when);
-        std::string rest = each.widthScale == 1.0f ? "" : ", " + std::to_string(each.widthScale) + "f";
-        if (!each.formatBy.empty())
-            rest = ", " + std::to_string(each.widthScale) + "f, " +
-                   addFormats(arrays, pass + "_" + std::string(each.name) + "_formats", each.formatBy);
+        const std::string name = pass + "_" + std::string(each.name);
+        const std::string when = addConditions(arrays, name + "_when", each.when);
+        const bool either = !each.orWhen.empty(), formats = either || !each.formatBy.empty();
+        std::string rest;
+        if (formats || each.widthScale != 1.0f) rest = ", " + std::to_string(each.widthScale) + "f";
+        if (formats) rest += ", " + addFormats(arrays, name + "_formats", each.formatBy);
+        if (either) rest += ", " + addConditions(arrays, name + "_or_when", each.orWhen);
         elements.push_back("{" + literal(each.name) + ", " + literal(each.space) + ", " +
                            literal(each.format) + ", " + std::to_string(each.scale) + "f, " +
                            literal(each.history) + ", " + when + ",\n     " + literal(each.sameAs) + rest +

@@ -462,8 +462,9 @@ struct alignas(16) TemporalAaParameters {
     float gBlurFromPx;
     float gBlurToPx;
     float pad0[3];
+    float gReprojection[16];   // float4x4
 };
-static_assert(sizeof(TemporalAaParameters) == 64);
+static_assert(sizeof(TemporalAaParameters) == 128);
 static_assert(offsetof(TemporalAaParameters, gOutputSize) == 0);
 static_assert(offsetof(TemporalAaParameters, gJitterPx) == 16);
 static_assert(offsetof(TemporalAaParameters, gMotionToUv) == 24);
@@ -472,6 +473,7 @@ static_assert(offsetof(TemporalAaParameters, gFeedbackMin) == 36);
 static_assert(offsetof(TemporalAaParameters, gFeedbackMax) == 40);
 static_assert(offsetof(TemporalAaParameters, gBlurFromPx) == 44);
 static_assert(offsetof(TemporalAaParameters, gBlurToPx) == 48);
+static_assert(offsetof(TemporalAaParameters, gReprojection) == 64);
 namespace bindings::temporal_aa {
 inline constexpr uint32_t TemporalAaParameters = 0;
 inline constexpr uint32_t gInColour = 1;
@@ -1432,7 +1434,7 @@ inline constexpr PackModule combine_lighting_modules[] = {
      "", ""},
 };
 inline constexpr Stage temporal_aa_stages[] = {Stage::fragment, Stage::compute};
-inline constexpr std::string_view temporal_aa_MOTION_values[] = {"off", "on"};
+inline constexpr std::string_view temporal_aa_MOTION_values[] = {"off", "camera", "vectors"};
 inline constexpr std::string_view temporal_aa_CLOSEST_FRAGMENT_values[] = {"off", "on"};
 inline constexpr std::string_view temporal_aa_NEIGHBOURHOOD_values[] = {"four_tap", "square", "rounded", "variance"};
 inline constexpr std::string_view temporal_aa_CONSTRAINT_values[] = {"none", "clamp", "clip_centre", "clip_line"};
@@ -1445,8 +1447,8 @@ inline constexpr std::string_view temporal_aa_HISTORY_FILTER_values[] = {"biline
 inline constexpr std::string_view temporal_aa_DEPTH_REVERSED_values[] = {"off", "on"};
 inline constexpr std::string_view temporal_aa_QUAD_SHARING_values[] = {"off", "on"};
 inline constexpr SwitchInfo temporal_aa_switches[] = {
-    {"MOTION", temporal_aa_MOTION_values, 1, "the camera or an object moves",
-     "history is fetched along gInVelocity; off: at the same place", {}},
+    {"MOTION", temporal_aa_MOTION_values, 2, "vectors: an object moves; camera: the camera alone does; off: nothing moves",
+     "history is fetched along gInVelocity, where the camera's reprojection of depth leads, or at the same place", {}},
     {"CLOSEST_FRAGMENT", temporal_aa_CLOSEST_FRAGMENT_values, 1, "edges of moving objects",
      "motion of the fragment closest to the camera in 3x3 (I4)", {}},
     {"NEIGHBOURHOOD", temporal_aa_NEIGHBOURHOOD_values, 2, "",
@@ -1485,15 +1487,16 @@ inline constexpr BindingInfo temporal_aa_bindings[] = {
     {"gHistoryColour_sampler", 36, BindingKind::linearSampler},
     {"gInColourFiltered_sampler", 37, BindingKind::linearSampler},
 };
-inline constexpr Condition temporal_aa_gInDepth_when[] = {{"CLOSEST_FRAGMENT", "on"}, {"MOTION", "on"}};
-inline constexpr Condition temporal_aa_gInVelocity_when[] = {{"MOTION", "on"}};
+inline constexpr Condition temporal_aa_gInDepth_when[] = {{"CLOSEST_FRAGMENT", "on"}, {"MOTION", "vectors"}};
+inline constexpr Condition temporal_aa_gInDepth_or_when[] = {{"MOTION", "camera"}};
+inline constexpr Condition temporal_aa_gInVelocity_when[] = {{"MOTION", "vectors"}};
 inline constexpr ImageInfo temporal_aa_inputs[] = {
     {"gInColour", "linear, scene-referred", "rgba16f", 1.000000f, "", {},
      ""},
     {"gInColourFiltered", "linear, scene-referred", "rgba16f", 1.000000f, "", {},
      "gInColour"},
     {"gInDepth", "device depth [0,1]", "r32f", 1.000000f, "", temporal_aa_gInDepth_when,
-     ""},
+     "", 1.000000f, {}, temporal_aa_gInDepth_or_when},
     {"gInVelocity", "motion, scaled by gMotionToUv", "rg16f", 1.000000f, "", temporal_aa_gInVelocity_when,
      ""},
     {"gHistoryColour", "linear, scene-referred", "rgba16f", 1.000000f, "gOutHistory", {},
@@ -1529,6 +1532,10 @@ inline constexpr PackModule temporal_aa_modules[] = {
     {"temporal_aa--motion-off", Stage::fragment,
      "", ""},
     {"temporal_aa--motion-off", Stage::compute,
+     "", ""},
+    {"temporal_aa--motion-camera", Stage::fragment,
+     "", ""},
+    {"temporal_aa--motion-camera", Stage::compute,
      "", ""},
     {"temporal_aa--closest_fragment-off", Stage::fragment,
      "", ""},
@@ -1654,7 +1661,7 @@ inline constexpr PassInfo passes[] = {
      combine_lighting_bindings, combine_lighting_inputs, combine_lighting_outputs, {0, 0}},
     {"temporal_aa", "Temporal reprojection anti-aliasing",
      "INSIDE, I1 to I9", temporal_aa_stages, true,
-     {32, 4, 1}, {1, 6}, 64, temporal_aa_switches,
+     {32, 4, 1}, {1, 6}, 128, temporal_aa_switches,
      temporal_aa_bindings, temporal_aa_inputs, temporal_aa_outputs, {0, 0}},
 };
 

@@ -61,6 +61,7 @@ struct ImageInfo {
     std::string_view sameAs;         // the input whose image this is too, under another filter, or empty
     float widthScale = 1.0f;         // of the width, beside scale
     std::span<const FormatChoice> formatBy = {}; // other formats, by a switch
+    std::span<const Condition> orWhen = {};      // if any: in place of `when` these may hold
 };
 
 struct PassInfo {

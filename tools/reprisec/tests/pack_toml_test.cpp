@@ -69,12 +69,17 @@ TEST_F(SmallPack, formatsFollowASwitch) {
     EXPECT_EQ(formats("gather"), "r16f r16f");
 }
 
-// Values of one switch are alternatives, several switches all have to be right; an input's scale may be 0.
+// Values of one switch are alternatives, several switches all have to be right, or those of or_when; an
+// input's scale may be 0.
 TEST_F(SmallPack, inputsExistUnderOneOfSeveralValues) {
     std::string table = smallTable;
     const std::string filter = "filter = \"point\"\n";
     table.insert(table.find(filter) + filter.size(),
                  "  scale = 0\n  when = { TAPS = [\"nine\", \"gather\"], FINE = \"on\" }\n");
+    const std::string format = "format = \"rg16f\"\n";
+    table.insert(
+        table.find(format) + format.size(),
+        "  when = { TAPS = \"nine\", FINE = \"on\" }\n  or_when = { TAPS = [\"one\", \"gather\"] }\n");
     writeText(folder / "pack.toml", table);
     const reprisec::Pack pack = load();
     auto variant = reprise::makeVariant(pack.passes(), "copy");
@@ -86,6 +91,8 @@ TEST_F(SmallPack, inputsExistUnderOneOfSeveralValues) {
             ASSERT_TRUE(reprise::setSwitch(*variant, "TAPS", taps));
             ASSERT_TRUE(reprise::setSwitch(*variant, "FINE", fine));
             EXPECT_EQ(reprise::exists(*variant, input), taps != "one" && fine == "on") << taps << " " << fine;
+            EXPECT_EQ(reprise::exists(*variant, variant->pass->outputs[0]), taps != "nine" || fine == "on")
+                << taps << " " << fine;
         }
 }
 

@@ -1,0 +1,128 @@
+#version 450
+
+layout(binding = 0, std140) uniform TemporalAaParameters
+{
+    vec4 gOutputSize;
+    vec2 gJitterPx;
+    vec2 gMotionToUv;
+    float gHistoryValid;
+    float gFeedbackMin;
+    float gFeedbackMax;
+    float gBlurFromPx;
+    float gBlurToPx;
+    mat4 gReprojection;
+} parameters;
+
+layout(binding = 2) uniform sampler2D gInDepth;
+layout(binding = 4) uniform sampler2D gHistoryColour;
+layout(binding = 1) uniform sampler2D gInColour;
+layout(binding = 5) uniform sampler2D gInColourFiltered;
+
+layout(location = 0) out vec4 gOutHistory;
+layout(location = 1) out vec4 gOutColour;
+
+void main()
+{
+    vec2 _92 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec2 _95 = parameters.gOutputSize.zw * 0.5;
+    vec4 _99 = textureGather(gInDepth, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_95));
+    float _101 = _95.x;
+    float _102 = _95.y;
+    vec4 _106 = textureGather(gInDepth, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, vec2(_101, -_102)));
+    vec4 _111 = textureGather(gInDepth, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, vec2(-_101, _102)));
+    vec4 _114 = textureGather(gInDepth, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, _95));
+    float _115 = _99.w;
+    float _116 = _99.z;
+    float _117 = _99.x;
+    float _118 = _99.y;
+    float _119 = _106.z;
+    float _120 = _106.y;
+    float _121 = _111.x;
+    float _122 = _111.y;
+    float _123 = _114.y;
+    vec2 _128 = mix(vec2(_117, -1.0), vec2(_120, 1.0), bvec2(_120 < _117));
+    vec2 _133 = mix(vec2(_118, 0.0), _128, bvec2(_128.x < _118));
+    vec2 _138 = mix(vec2(_115, -1.0), vec2(_119, 1.0), bvec2(_119 < _115));
+    vec2 _143 = mix(vec2(_116, 0.0), _138, bvec2(_138.x < _116));
+    vec2 _148 = mix(vec2(_121, -1.0), vec2(_123, 1.0), bvec2(_123 < _121));
+    vec2 _153 = mix(vec2(_122, 0.0), _148, bvec2(_148.x < _122));
+    bool _156 = _153.x < _143.x;
+    vec2 _158 = mix(_143, _153, bvec2(_156));
+    float _160 = _158.x;
+    float _161 = _133.x;
+    bool _162 = _160 < _161;
+    vec2 _175 = fma(-parameters.gJitterPx, parameters.gOutputSize.zw, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, mix(vec2(_133.y, 0.0), vec2(_158.y, _156 ? 1.0 : (-1.0)), bvec2(_162)) * parameters.gOutputSize.zw));
+    vec4 _182 = parameters.gReprojection * vec4(fma(_175, vec2(2.0, -2.0), vec2(-1.0, 1.0)), _162 ? _160 : _161, 1.0);
+    float _183 = _182.w;
+    vec2 _188 = fma(_182.xy * (1.0 / _183), vec2(0.5, -0.5), vec2(0.5));
+    vec2 _195 = _175 - mix(vec2(-8.0), _188, bvec2((_183 > 0.0) && all(lessThanEqual(abs(_188), vec2(8.0)))));
+    vec2 _197 = fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_195);
+    vec3 _211 = clamp(textureLodOffset(gInColour, _92, 0.0, ivec2(-1)).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0));
+    vec3 _216 = clamp(textureLodOffset(gInColour, _92, 0.0, ivec2(0, -1)).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0));
+    vec3 _221 = clamp(textureLodOffset(gInColour, _92, 0.0, ivec2(1, -1)).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0));
+    vec3 _226 = clamp(textureLodOffset(gInColour, _92, 0.0, ivec2(-1, 0)).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0));
+    vec3 _231 = clamp(textureLod(gInColour, _92, 0.0).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0));
+    vec3 _236 = clamp(textureLodOffset(gInColour, _92, 0.0, ivec2(1, 0)).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0));
+    vec3 _241 = clamp(textureLodOffset(gInColour, _92, 0.0, ivec2(-1, 1)).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0));
+    vec3 _246 = clamp(textureLodOffset(gInColour, _92, 0.0, ivec2(0, 1)).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0));
+    vec3 _251 = clamp(textureLodOffset(gInColour, _92, 0.0, ivec2(1)).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0));
+    float _254 = max(-parameters.gJitterPx.x, 0.0);
+    float _256 = 1.0 - abs(parameters.gJitterPx.x);
+    float _257 = max(parameters.gJitterPx.x, 0.0);
+    vec3 _283 = (((((_211 * _254) + (_216 * _256)) + (_221 * _257)) * max(-parameters.gJitterPx.y, 0.0)) + ((((_226 * _254) + (_231 * _256)) + (_236 * _257)) * (1.0 - abs(parameters.gJitterPx.y)))) + ((((_241 * _254) + (_246 * _256)) + (_251 * _257)) * max(parameters.gJitterPx.y, 0.0));
+    ivec3 _284 = floatBitsToInt(_226);
+    ivec3 _285 = floatBitsToInt(_236);
+    ivec3 _287 = floatBitsToInt(_231);
+    ivec3 _290 = floatBitsToInt(intBitsToFloat(min(min(_284, _285), _287)));
+    ivec3 _291 = floatBitsToInt(_216);
+    ivec3 _293 = floatBitsToInt(_246);
+    ivec3 _299 = floatBitsToInt(intBitsToFloat(max(max(_284, _285), _287)));
+    ivec3 _303 = floatBitsToInt(_211);
+    ivec3 _304 = floatBitsToInt(_221);
+    ivec3 _308 = floatBitsToInt(_241);
+    ivec3 _309 = floatBitsToInt(_251);
+    vec3 _329 = intBitsToFloat(min(min(_290, _291), _293)) + intBitsToFloat(min(min(_290, floatBitsToInt(intBitsToFloat(min(min(_303, _304), _291)))), floatBitsToInt(intBitsToFloat(min(min(_308, _309), _293)))));
+    vec3 _330 = intBitsToFloat(max(max(_299, _291), _293)) + intBitsToFloat(max(max(_299, floatBitsToInt(intBitsToFloat(max(max(_303, _304), _291)))), floatBitsToInt(intBitsToFloat(max(max(_308, _309), _293)))));
+    vec3 _331 = _330 + _329;
+    vec3 _333 = max(_330 - _329, vec3(6.1035156963262782170431819395162e-12));
+    vec3 _335 = (clamp(textureLod(gHistoryColour, _197, 0.0).xyz * 1.52587890625e-05, vec3(0.0), vec3(1.0)) * 4.0) - _331;
+    vec3 _338 = _333 / max(abs(_335), _333);
+    vec3 _361 = min((_283 + ((((_331 + (_335 * min(_338.x, min(_338.y, _338.z)))) * 0.25) - _283) * (all(lessThanEqual(abs(_197 - vec2(0.5)), vec2(0.5))) ? (parameters.gFeedbackMax * parameters.gHistoryValid) : 0.0))) * 65536.0, vec3(65504.0));
+    vec2 _377 = fma(gl_FragCoord.xy, parameters.gOutputSize.zw, parameters.gJitterPx * parameters.gOutputSize.zw);
+    vec2 _380 = _195 * 0.083333335816860198974609375;
+    vec4 _382 = textureLod(gInColourFiltered, _377, 0.0);
+    float _383 = _382.x;
+    float _386 = _382.y;
+    float _389 = _382.z;
+    vec2 _395 = _380 * 1.0;
+    vec4 _397 = textureLod(gInColourFiltered, _377 + _395, 0.0);
+    float _398 = _397.x;
+    float _401 = _397.y;
+    float _404 = _397.z;
+    vec4 _412 = textureLod(gInColourFiltered, _377 - _395, 0.0);
+    float _413 = _412.x;
+    float _416 = _412.y;
+    float _419 = _412.z;
+    vec2 _426 = _380 * 2.0;
+    vec4 _428 = textureLod(gInColourFiltered, _377 + _426, 0.0);
+    float _429 = _428.x;
+    float _432 = _428.y;
+    float _435 = _428.z;
+    vec4 _443 = textureLod(gInColourFiltered, _377 - _426, 0.0);
+    float _444 = _443.x;
+    float _447 = _443.y;
+    float _450 = _443.z;
+    vec2 _457 = _380 * 3.0;
+    vec4 _459 = textureLod(gInColourFiltered, _377 + _457, 0.0);
+    float _460 = _459.x;
+    float _463 = _459.y;
+    float _466 = _459.z;
+    vec4 _474 = textureLod(gInColourFiltered, _377 - _457, 0.0);
+    float _475 = _474.x;
+    float _478 = _474.y;
+    float _481 = _474.z;
+    vec3 _486 = (((((min(vec3((_383 > 0.0) ? _383 : 0.0, (_386 > 0.0) ? _386 : 0.0, (_389 > 0.0) ? _389 : 0.0), vec3(65504.0)) + min(vec3((_398 > 0.0) ? _398 : 0.0, (_401 > 0.0) ? _401 : 0.0, (_404 > 0.0) ? _404 : 0.0), vec3(65504.0))) + min(vec3((_413 > 0.0) ? _413 : 0.0, (_416 > 0.0) ? _416 : 0.0, (_419 > 0.0) ? _419 : 0.0), vec3(65504.0))) + min(vec3((_429 > 0.0) ? _429 : 0.0, (_432 > 0.0) ? _432 : 0.0, (_435 > 0.0) ? _435 : 0.0), vec3(65504.0))) + min(vec3((_444 > 0.0) ? _444 : 0.0, (_447 > 0.0) ? _447 : 0.0, (_450 > 0.0) ? _450 : 0.0), vec3(65504.0))) + min(vec3((_460 > 0.0) ? _460 : 0.0, (_463 > 0.0) ? _463 : 0.0, (_466 > 0.0) ? _466 : 0.0), vec3(65504.0))) + min(vec3((_475 > 0.0) ? _475 : 0.0, (_478 > 0.0) ? _478 : 0.0, (_481 > 0.0) ? _481 : 0.0), vec3(65504.0));
+    gOutHistory = vec4(_361, 1.0);
+    gOutColour = vec4(mix(min(_486 * vec3(0.14285714924335479736328125), vec3(65504.0)), _361, vec3((parameters.gHistoryValid > 0.0) ? clamp((parameters.gBlurToPx - length(_195 * parameters.gOutputSize.xy)) / max(parameters.gBlurToPx - parameters.gBlurFromPx, 9.9999999747524270787835121154785e-07), 0.0, 1.0) : 1.0)), 1.0);
+}
+
