@@ -60,7 +60,8 @@ TEST(Plan, passesFollowFromTheNeeds) {
     };
     const Row rows[] = {
         {{}, {"camera_velocity", "object_velocity", "temporal_aa"}},
-        {{.objectsMove = false}, {"camera_velocity", "temporal_aa"}},
+        {{.objectsMove = false}, {"temporal_aa"}},
+        {{.objectsMove = false, .linearDepth = true}, {"camera_velocity", "temporal_aa"}},
         {{.cameraMoves = false}, {"object_velocity", "temporal_aa"}},
         {{.cameraMoves = false, .objectsMove = false}, {"temporal_aa"}},
         {{.engineWritesMotion = true}, {"temporal_aa"}},
@@ -103,6 +104,75 @@ TEST(Plan, nothingMovingTakesMotionOutOfTheShader) {
     EXPECT_EQ(imageOf(plan, "gOutVelocity"), nullptr);
     EXPECT_EQ(imageOf(plan, "gInDepth"), nullptr) << "depth is read for the closest fragment only";
     EXPECT_NE(reasonFor(plan, "temporal_aa: MOTION"), "");
+}
+
+// One pass, no image of motion: depth is read in any case.
+TEST(Plan, theCamerasMotionAloneIsComputedWhereItIsUsed) {
+    for (const Stage stage : {Stage::fragment, Stage::compute})
+        for (const char* preset : {"inside", "best", "lean"}) {
+            const FramePlan plan = planned({.objectsMove = false}, {.stage = stage, .preset = preset});
+            EXPECT_EQ(passNames(plan), Names{"temporal_aa"});
+            EXPECT_EQ(valueOf(plan, "MOTION"), "camera");
+            EXPECT_EQ(valueOf(plan, "CLOSEST_FRAGMENT"), "on");
+            EXPECT_EQ(imageOf(plan, "gOutVelocity"), nullptr);
+            EXPECT_EQ(imageOf(plan, "gInVelocity"), nullptr);
+            ASSERT_NE(imageOf(plan, "gInDepth"), nullptr);
+            EXPECT_TRUE(imageOf(plan, "gInDepth")->external);
+            EXPECT_EQ(plan.bytes, 2u * 640 * 360 * 8) << "two histories of RGBA16F";
+            EXPECT_EQ(reasonFor(plan, "camera_velocity"),
+                      "temporal_aa alone needs the camera's motion, and computes it from depth.");
+        }
+    const FramePlan own = planned({.objectsMove = false}, {.overrides = {{"CLOSEST_FRAGMENT", "off"}}});
+    EXPECT_NE(imageOf(own, "gInDepth"), nullptr) << "of the pixel itself";
+    EXPECT_EQ(own.passes.back().reads,
+              (Names{"gInColour", "gInColourFiltered", "gInDepth", "gHistoryColour"}));
+}
+
+TEST(Plan, vectorsAreMadeWhereTheCamerasMotionDoesNotSuffice) {
+    const SceneNeeds cameraAlone{.objectsMove = false};
+    const auto motionOf = [](const SceneNeeds& needs, const Settings& settings = {}) {
+        return valueOf(planned(needs, settings), "MOTION");
+    };
+    EXPECT_EQ(motionOf({}), "vectors") << "objects move";
+    EXPECT_EQ(motionOf({.cameraMoves = false}), "vectors");
+    EXPECT_EQ(motionOf({.objectsMove = false, .engineWritesMotion = true}), "vectors");
+    EXPECT_EQ(motionOf({.objectsMove = false, .linearDepth = true}), "vectors");
+    // Another pass reads the image, so that there is one.
+    const SceneNeeds obscurance{.objectsMove = false, .ambientOcclusion = true};
+    const CacheSettings wronski{.occlusion = "scalable_obscurance", .samples = 7};
+    const FramePlan shared = planned(obscurance, {.cache = wronski});
+    EXPECT_EQ(valueOf(shared, "MOTION"), "vectors");
+    EXPECT_NE(imageOf(shared, "gOutVelocity"), nullptr);
+    EXPECT_EQ(motionOf(obscurance, {.overrides = {{"scalable_obscurance.MOTION", "off"}}, .cache = wronski}),
+              "camera");
+    EXPECT_EQ(motionOf(obscurance), "camera") << "the framework's cache reprojects by itself";
+    EXPECT_EQ(motionOf(obscurance, {.overrides = {{"lighting_cache.HISTORY", "motion"}}}), "vectors");
+    EXPECT_EQ(motionOf(cameraAlone, {.overrides = {{"reprojection_cache.HISTORY", "motion"}}}), "camera")
+        << "of a pass that is left out";
+}
+
+TEST(Plan, overridesOfMotionGivePlansThatAreRight) {
+    for (const char* name : {"MOTION", "temporal_aa.MOTION"}) {
+        const FramePlan vectors = planned({.objectsMove = false}, {.overrides = {{name, "vectors"}}});
+        EXPECT_EQ(passNames(vectors), (Names{"camera_velocity", "temporal_aa"}));
+        EXPECT_NE(imageOf(vectors, "gOutVelocity"), nullptr);
+        for (const SceneNeeds& needs :
+             {SceneNeeds{}, SceneNeeds{.engineWritesMotion = true}, SceneNeeds{.cameraMoves = false}}) {
+            const FramePlan camera = planned(needs, {.overrides = {{name, "camera"}}});
+            EXPECT_EQ(passNames(camera), Names{"temporal_aa"});
+            EXPECT_EQ(valueOf(camera, "MOTION"), "camera");
+            EXPECT_EQ(imageOf(camera, "gInVelocity"), nullptr);
+            EXPECT_NE(imageOf(camera, "gInDepth"), nullptr);
+        }
+        const auto linear =
+            tryPlan({.objectsMove = false, .linearDepth = true}, {.overrides = {{name, "camera"}}});
+        ASSERT_FALSE(linear);
+        EXPECT_EQ(linear.error().code, ErrorCode::invalidArgument);
+        EXPECT_NE(linear.error().message.find("linearDepth"), std::string::npos) << linear.error().message;
+        const FramePlan off = planned({.objectsMove = false}, {.overrides = {{name, "off"}}});
+        EXPECT_EQ(passNames(off), Names{"temporal_aa"});
+        EXPECT_EQ(imageOf(off, "gInDepth"), nullptr);
+    }
 }
 
 TEST(Plan, needsChooseTheSwitches) {
@@ -235,9 +305,7 @@ TEST(Plan, theFrameworksStepsFollowFromNeedsAndSettings) {
          {},
          {"depth_downsample", "reprojection_cache", "bilateral_filter", "bilateral_filter",
           "bilateral_upsample"}},
-        {{.objectsMove = false, .ambientOcclusion = true},
-         {},
-         after(after({"camera_velocity"}, all), {"temporal_aa"})},
+        {{.objectsMove = false, .ambientOcclusion = true}, {}, after(all, {"temporal_aa"})},
     };
     for (const Row& row : rows)
         for (const Stage stage : {Stage::fragment, Stage::compute}) {
@@ -501,10 +569,10 @@ TEST(Plan, lightIsCombinedAfterTheFrameworkAndBeforeAntiAliasing) {
                            .otherLight = true};
     const FramePlan plan = planned(needs);
     EXPECT_EQ(passNames(plan),
-              (Names{"camera_velocity", "depth_downsample", "lighting_cache", "bilateral_filter",
-                     "bilateral_filter", "bilateral_upsample", "combine_lighting", "temporal_aa"}));
-    EXPECT_EQ(source(plan, 6, "gInLighting"), "gOutUpsampled");
-    EXPECT_EQ(source(plan, 7, "gInColour"), "gOutLit");
+              (Names{"depth_downsample", "lighting_cache", "bilateral_filter", "bilateral_filter",
+                     "bilateral_upsample", "combine_lighting", "temporal_aa"}));
+    EXPECT_EQ(source(plan, 5, "gInLighting"), "gOutUpsampled");
+    EXPECT_EQ(source(plan, 6, "gInColour"), "gOutLit");
     EXPECT_EQ(imageOf(plan, "gInColour"), nullptr) << "the engine hands over no colour";
     EXPECT_EQ(switchOf(plan, "combine_lighting", "LIGHTING"), "both");
     for (const char* light : {"gInAmbientLight", "gInSunLight", "gInOtherLight"}) {

@@ -166,6 +166,46 @@ TEST_P(FrameTest, everyColourFormatOfTheDeviceRecords) {
     }
 }
 
+// --- The camera's motion
+
+// Three frames of a camera that turns, moves and is jittered: with MOTION camera, which the plan takes,
+// history comes from where the vectors of camera_velocity lead. A binary16 vector of a texel of 32 is off by
+// up to 1/1024 of it, on both axes and in two frames, among texels of 0 and 1.
+TEST_P(FrameTest, theCamerasOwnMotionIsThatOfTheVectors) {
+    const SceneNeeds cameraAlone{.objectsMove = false};
+    auto own = makeRecorder(info(cameraAlone));
+    auto withVectors = info(cameraAlone);
+    withVectors.settings.overrides.push_back({"MOTION", "vectors"});
+    auto given = makeRecorder(withVectors);
+    ASSERT_EQ(own.plan().passes.size() + 1, given.plan().passes.size());
+    TestFrame frame(size);
+    std::vector<float> checker(size_t(4) * size.width * size.height, 0.0f);
+    for (size_t i = 0; i < checker.size(); ++i)
+        checker[i] = (i / 4 + i / 4 / size.width) % 2 == 0 ? 1.0f : 0.0f;
+    testGpu().uploadFloats(frame.colour, checker);
+    frame.fill(frame.depth, 1.001f - 0.1f / 2.0f); // 2 m
+    for (uint64_t i = 0; i < 3; ++i) {
+        const double t = static_cast<double>(i);
+        const double yaw = 0.01 * t;
+        frame.camera.worldToView = glm::dmat4(1.0);
+        frame.camera.worldToView[0] = {std::cos(yaw), 0.0, -std::sin(yaw), 0.0};
+        frame.camera.worldToView[2] = {std::sin(yaw), 0.0, std::cos(yaw), 0.0};
+        frame.camera.worldToView[3] = {0.03 * t, -0.02 * t * t, 0.01 * t, 1.0};
+        FrameInput input = frame.input(i);
+        input.jitterPx = {0.25 - 0.125 * t, 0.125 * t};
+        const auto a = recordOne(own, input), b = recordOne(given, input);
+        ASSERT_TRUE(a) << a.error().message;
+        ASSERT_TRUE(b) << b.error().message;
+        ASSERT_TRUE(b->motion);
+        const auto shown = downloadRef(a->colour), expected = downloadRef(b->colour);
+        for (size_t k = 0; k < shown.size(); ++k)
+            ASSERT_NEAR(shown[k], expected[k], 1.0f / 256.0f) << "frame " << i << " value " << k;
+        if (i == 0) continue;
+        const auto motion = downloadRef(*b->motion); // something moved
+        EXPECT_GT(std::abs(motion[0]) * size.width + std::abs(motion[1]) * size.height, 0.2f) << i;
+    }
+}
+
 // --- Moving objects
 
 glm::vec2 motionAt(const std::vector<float>& motion, uint32_t x, uint32_t y) {

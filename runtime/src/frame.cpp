@@ -309,8 +309,9 @@ Result<PreparedPass> prepareFullscreen(const Recorder& recorder, size_t index, F
     };
     const SceneNeeds& needs = recorder.needs;
     if (name == temporalPass)
-        return prepare(temporalParameters(frame.input, frame.input.tuning.value_or(recorder.tuning),
-                                          frame.extent, frame.historyFrames, needs.engineWritesMotion));
+        return prepare(temporalParameters(frame.input, frame.previous,
+                                          frame.input.tuning.value_or(recorder.tuning), frame.extent,
+                                          frame.historyFrames, needs.engineWritesMotion));
     if (name == "camera_velocity")
         return prepare(cameraParameters(frame.input, frame.previous, frame.extent, needs.linearDepth));
     const CacheFrame cache{frame.previous,          frame.extent,        recorder.plan.cache,

@@ -315,8 +315,9 @@ TaaTuning tuningOf(const PresetInfo& preset) {
     return tuning;
 }
 
-TemporalAaParameters temporalParameters(const FrameInput& input, const TaaTuning& tuning, VkExtent2D extent,
-                                        uint64_t historyFrames, bool engineMotion) {
+TemporalAaParameters temporalParameters(const FrameInput& input, const CameraFrame& previous,
+                                        const TaaTuning& tuning, VkExtent2D extent, uint64_t historyFrames,
+                                        bool engineMotion) {
     const auto frames = static_cast<float>(historyFrames);
     const float most = tuning.rampFeedback ? frames / (frames + 1.0f) : 1.0f;
     TemporalAaParameters parameters{};
@@ -328,6 +329,7 @@ TemporalAaParameters temporalParameters(const FrameInput& input, const TaaTuning
     parameters.gFeedbackMax = std::min(tuning.feedbackMax, most);
     parameters.gBlurFromPx = tuning.blurFromPx;
     parameters.gBlurToPx = tuning.blurToPx;
+    store(parameters.gReprojection, glm::mat4(reprojection(input.camera, previous)));
     return parameters;
 }
 

@@ -13,8 +13,9 @@ ObjectVelocityParameters objectParameters(const ObjectDraw& object, const FrameI
                                           const CameraFrame& previous, VkExtent2D extent);
 // historyFrames: frames since history was reset, 0 when it holds none.
 // tuning.motionToUv is for the engine's own motion; that of the velocity passes is in UV.
-TemporalAaParameters temporalParameters(const FrameInput& input, const TaaTuning& tuning, VkExtent2D extent,
-                                        uint64_t historyFrames, bool engineMotion);
+TemporalAaParameters temporalParameters(const FrameInput& input, const CameraFrame& previous,
+                                        const TaaTuning& tuning, VkExtent2D extent, uint64_t historyFrames,
+                                        bool engineMotion);
 
 // What the framework's passes are filled from, beside the frame's input.
 struct CacheFrame {

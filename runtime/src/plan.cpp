@@ -67,13 +67,19 @@ Stage stageOf(const PassInfo& pass, Stage wanted) {
     return std::ranges::find(pass.stages, wanted) != pass.stages.end() ? wanted : pass.stages.front();
 }
 
+std::vector<std::string> inputsOf(const Variant& variant) {
+    std::vector<std::string> names;
+    for (const ImageInfo& input : variant.pass->inputs)
+        if (exists(variant, input)) names.emplace_back(input.name);
+    return names;
+}
+
 void addCandidate(std::vector<Candidate>& candidates, const Variant& variant, Stage stage,
                   std::string_view veto, std::string_view run = {}) {
     // A switch of another stage changes nothing in a full-screen pass; a drawn pass has both stages.
     Candidate candidate{
         {variant.pass->fullscreen ? forStage(variant, stage) : variant, stage, run, {}, {}, {}, {}}, veto};
-    for (const ImageInfo& input : variant.pass->inputs)
-        if (exists(variant, input)) candidate.pass.reads.emplace_back(input.name);
+    candidate.pass.reads = inputsOf(variant);
     for (const ImageInfo& output : variant.pass->outputs)
         if (exists(variant, output)) candidate.pass.writes.emplace_back(output.name);
     candidates.push_back(std::move(candidate));
@@ -147,6 +153,34 @@ void choosePasses(std::vector<Candidate> candidates, const SceneNeeds& needs, Fr
             plan.passes.insert(plan.passes.begin(), std::move(candidate->pass));
         }
     }
+}
+
+// Motion that the camera alone makes follows from the device depth. Where no other pass reads it, temporal_aa
+// computes it itself, and there is neither camera_velocity nor its image.
+Result<void> mergeCameraMotion(const SceneNeeds& needs, const Settings& settings, FramePlan& plan) {
+    const auto temporal = std::ranges::find_if(
+        plan.passes, [](const PlannedPass& pass) { return pass.variant.pass->name == temporalPass; });
+    if (temporal == plan.passes.end()) return {};
+    const std::string_view motion = switchValue(temporal->variant, "MOTION");
+    if (needs.linearDepth && motion == "camera")
+        return Error{
+            ErrorCode::invalidArgument,
+            "MOTION camera takes device depth, but SceneNeeds::linearDepth is on; leave the switch at "
+            "vectors."};
+    const bool cameraAlone = needs.cameraMoves && !needs.objectsMove && !needs.engineWritesMotion;
+    const bool overridden = std::ranges::any_of(settings.overrides, [](const Condition& each) {
+        return each.switchName == "MOTION" || each.switchName == "temporal_aa.MOTION";
+    });
+    const auto readers = std::ranges::count_if(plan.passes, [](const PlannedPass& pass) {
+        return std::ranges::find(pass.reads, "gInVelocity") != pass.reads.end();
+    });
+    if (motion != "vectors" || !cameraAlone || needs.linearDepth || overridden || readers != 1) return {};
+    if (auto set = setSwitch(temporal->variant, "MOTION", "camera"); !set) return set;
+    temporal->reads = inputsOf(temporal->variant);
+    std::erase_if(plan.passes,
+                  [](const PlannedPass& pass) { return pass.variant.pass->name == "camera_velocity"; });
+    drop(plan, "camera_velocity", "temporal_aa alone needs the camera's motion, and computes it from depth.");
+    return {};
 }
 
 Result<void> checkCache(const SceneNeeds& needs, const CacheSettings& cache) {
@@ -223,6 +257,7 @@ Result<FramePlan> plan(std::span<const PassInfo> passes, std::span<const PresetI
         auto candidates = candidatesFor(passes, presets, needs, settings, plan.dropped);
         if (!candidates) return candidates.error();
         choosePasses(std::move(*candidates), needs, plan);
+        if (auto merged = mergeCameraMotion(needs, settings, plan); !merged) return merged.error();
         planImages(plan, needs.engineWritesMotion, settings.colourFormat, extent);
         return plan;
     });

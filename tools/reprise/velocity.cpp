@@ -91,6 +91,7 @@ StaticAndMoving runVelocity(Experiment& e, scenes::Renderer& renderer, Stage sta
     reprise::Settings settings;
     settings.stage = stage;
     settings.preset = "inside";
+    settings.overrides = {{"MOTION", "vectors"}}; // which a camera alone would do without
     auto recorder = makeRecorder(e, needsOf(scene), settings);
     auto frames = renderFrames(e.gpu, renderer, 0, e.plan.frames, reprise::JitterSequence::halton16, true);
     const auto ids = movingIds(scene);

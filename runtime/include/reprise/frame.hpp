@@ -98,7 +98,8 @@ struct FrameOutput {
     // sun's in green. RG16F, or at a ratio of 1 as the last step writes it.
     std::optional<ImageRef> lighting;
     std::optional<ImageRef> lit; // with needs.combinesLighting: the light put together, before anti-aliasing
-    std::optional<ImageRef> motion; // likewise; none when nothing moves
+    // Likewise; none where the plan makes none: nothing moves, or the camera alone and MOTION is camera.
+    std::optional<ImageRef> motion;
     bool historyWasReset = false;
     std::string_view resetReason; // "first frame", "frame gap", "resize", "request" or empty
 };

@@ -131,7 +131,8 @@ TEST_F(Program, wrongArgumentsEndWithASentence) {
     EXPECT_EQ(run("--help").code, 0);
 }
 
-// The real pack: the plan of a scene with nothing but a moving camera has no object velocity.
+// The real pack: the plan of a scene with nothing but a moving camera has no velocity pass, unless vectors
+// are asked for.
 class Needs : public Program {
 protected:
     Outcome listed(const std::string& needs) const {
@@ -141,12 +142,18 @@ protected:
 };
 
 TEST_F(Needs, selectTheModulesOfTheScenesPlan) {
-    const Outcome camera =
-        listed("[needs]\nobjectsMove = false\n[settings]\nstage = \"fragment\"\npreset = \"lean\"\n");
-    EXPECT_EQ(camera.code, 0);
-    EXPECT_NE(camera.text.find("fullscreen vertex"), std::string::npos) << camera.text;
-    EXPECT_NE(camera.text.find("camera_velocity fragment"), std::string::npos) << camera.text;
-    EXPECT_EQ(camera.text.find("object_velocity"), std::string::npos) << camera.text;
+    const std::string alone =
+        "[needs]\nobjectsMove = false\n[settings]\nstage = \"fragment\"\npreset = \"lean\"\n";
+    const Outcome camera = listed(alone),
+                  vectors = listed(alone + "[settings.overrides]\nMOTION = \"vectors\"\n");
+    for (const Outcome* each : {&camera, &vectors}) {
+        EXPECT_EQ(each->code, 0);
+        EXPECT_NE(each->text.find("fullscreen vertex"), std::string::npos) << each->text;
+        EXPECT_EQ(each->text.find("object_velocity"), std::string::npos) << each->text;
+    }
+    EXPECT_NE(camera.text.find("temporal_aa--motion-camera"), std::string::npos) << camera.text;
+    EXPECT_EQ(camera.text.find("camera_velocity"), std::string::npos) << camera.text;
+    EXPECT_NE(vectors.text.find("camera_velocity fragment"), std::string::npos) << vectors.text;
     const Outcome wrong = listed("[needs]\nobjectMoves = false\n");
     EXPECT_EQ(wrong.code, 1);
     EXPECT_NE(wrong.text.find("needs.toml:2: there is no need \"objectMoves\""), std::string::npos)
