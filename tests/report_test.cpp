@@ -118,9 +118,67 @@ TEST(ReportRows, haveNonePresetsSequencesAndTheUntoldCut) {
     for (const RowSpec& row : temporalRows(pack(), Stage::fragment, {}))
         labels.insert(row.label);
     for (const char* label :
-         {"none", "inside", "best", "lean", "inside, jitter none", "inside, jitter halton8",
-          "inside, jitter uniform4_helix", "inside, cut untold"})
+         {"none", "inside", "best", "best, camera", "lean", "lean, camera", "inside, jitter none",
+          "inside, jitter halton8", "inside, jitter uniform4_helix", "inside, cut untold"})
         EXPECT_TRUE(labels.contains(label)) << label;
+}
+
+// Only where the plan would set it; it differs from the preset beside it in that alone.
+TEST(ReportRows, haveThePresetsAsThePlanSetsThemWhereOnlyTheCameraMoves) {
+    const auto rows = temporalRows(pack(), Stage::compute, {});
+    size_t found = 0;
+    for (size_t i = 1; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i].cameraAlone, rows[i].label.ends_with(", camera")) << rows[i].label;
+        if (!rows[i].cameraAlone) continue;
+        ++found;
+        EXPECT_EQ(rows[i].label, rows[i - 1].label + ", camera");
+        EXPECT_EQ(rows[i].preset, rows[i - 1].preset);
+        reprise::Variant same = *rows[i].variant;
+        EXPECT_EQ(reprise::switchValue(same, "MOTION"), "camera");
+        ASSERT_TRUE(reprise::setSwitch(same, "MOTION", "vectors"));
+        EXPECT_EQ(same.values, rows[i - 1].variant->values);
+    }
+    EXPECT_EQ(found, 2u);
+    EXPECT_EQ(presetLabels(pack()),
+              (std::vector<std::string>{"inside", "best", "best, camera", "lean", "lean, camera"}));
+    EXPECT_TRUE(cameraMovesAlone(findScene("thin_geometry")));
+    EXPECT_FALSE(cameraMovesAlone(findScene("fast_object")));
+    EXPECT_FALSE(cameraMovesAlone(findScene("static_camera")));
+    EXPECT_FALSE(cameraMovesAlone(findScene("foliage"))) << "leaves too";
+}
+
+// Judged is what the plan records: without vectors where only the camera moves, with them where objects move.
+TEST(Claims, theCopysBarJudgesWhatThePlanRecords) {
+    ReportOptions options;
+    options.quick = true;
+    options.technique = "temporal_aa";
+    options.stage = "compute";
+    Plan plan = makePlan(options, pack());
+    const auto claimOf = [&](double camera, double vectors) {
+        Report report;
+        report.device = {{"type", "discrete"}};
+        for (const auto& scene : plan.scenes)
+            for (const char* variant : {"lean", "lean, camera"}) {
+                const bool own = std::string_view(variant) != "lean";
+                if (own && !cameraMovesAlone(scene)) continue;
+                Row row;
+                row.technique = "temporal_aa";
+                row.variant = variant;
+                row.scene = scene.name;
+                row.stage = "compute";
+                row.perCopy = own ? camera : vectors;
+                report.rows.push_back(row);
+            }
+        for (Claim& claim : judgeClaims(report, plan))
+            if (claim.id == "speed, copy") return claim;
+        return Claim{};
+    };
+    EXPECT_EQ(claimOf(2.0, 2.2).holds, true);
+    EXPECT_EQ(claimOf(2.2, 2.0).holds, false);
+    EXPECT_EQ(claimOf(2.0, 2.2).measured["times a copy, MOTION vectors"], 2.2);
+    std::erase_if(plan.scenes, cameraMovesAlone);
+    EXPECT_EQ(claimOf(2.0, 2.2).holds, false);
+    EXPECT_EQ(claimOf(2.2, 2.0).holds, true);
 }
 
 TEST(Floors, offsetsAreDistinctWhileThereIsRoom) {
@@ -162,7 +220,10 @@ TEST(Floors, haveTheReadsAndWritesOfTheirPass) {
     for (const char* name : {"inside", "best", "lean"})
         for (Stage stage : {Stage::fragment, Stage::compute}) {
             SCOPED_TRACE(std::string(name) + ", " + stageText(stage));
-            expectFloorReadsWhatThePassReads(reprise::forStage(preset(name), stage), stage);
+            reprise::Variant variant = reprise::forStage(preset(name), stage);
+            expectFloorReadsWhatThePassReads(variant, stage);
+            ASSERT_TRUE(reprise::setSwitch(variant, "MOTION", "camera"));
+            expectFloorReadsWhatThePassReads(variant, stage);
         }
     const auto camera = reprise::makeVariant(pack().passes(), "camera_velocity");
     ASSERT_TRUE(camera);

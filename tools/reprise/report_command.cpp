@@ -23,7 +23,7 @@ std::string sizeText(Size size) {
 }
 
 Json settingsJson(const Plan& plan, const reprisec::Pack& pack, bool quick) {
-    Json scenes = Json::array(), presets = Json::array(), stages = Json::array();
+    Json scenes = Json::array(), stages = Json::array();
     std::set<std::string> named;
     for (const auto* list : {&plan.scenes, &plan.lightingScenes})
         for (const scenes::Scene& scene : *list)
@@ -33,15 +33,13 @@ Json settingsJson(const Plan& plan, const reprisec::Pack& pack, bool quick) {
                                   {"cut_frame", scene.cutFrame},
                                   {"event_frame", scene.eventFrame},
                                   {"notes", scene.notes}});
-    for (const auto& preset : pack.presets("temporal_aa"))
-        presets.push_back(preset.name);
     for (reprise::Stage stage : plan.stages)
         stages.push_back(stageText(stage));
     return {{"quick", quick},
             {"timing_only", plan.timingOnly},
             {"scenes", scenes},
             {"techniques", plan.techniques},
-            {"presets", presets},
+            {"presets", presetLabels(pack)},
             {"chief_lighting", plan.hasLighting() ? Json(std::vector<std::string>(chiefLighting().begin(),
                                                                                   chiefLighting().end()))
                                                   : Json::array()},
@@ -74,8 +72,8 @@ void printRow(const Row& r) {
 bool isChief(const Row& row, const reprisec::Pack& pack) {
     if (row.errorUnit == "visibility") return isChiefLighting(row.variant);
     if (row.pareto.value_or(false) || row.variant == "none" || row.technique != "temporal_aa") return true;
-    const auto presets = pack.presets("temporal_aa");
-    return std::any_of(presets.begin(), presets.end(), [&](const auto& p) { return p.name == row.variant; });
+    const auto presets = presetLabels(pack);
+    return std::find(presets.begin(), presets.end(), row.variant) != presets.end();
 }
 
 void printRows(const Report& report, const reprisec::Pack& pack, bool all) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rows.hpp"
+#include "lighting_rows.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -71,14 +72,26 @@ bool describesInput(const reprise::SwitchInfo& info) {
     return info.name == "DEPTH_REVERSED" || info.name == "DEPTH_LINEAR" || info.name == "ORTHOGRAPHIC";
 }
 
+bool cameraMovesAlone(const scenes::Scene& scene) {
+    return scene.cameraMoves && !objectsMove(scene);
+}
+
 std::vector<RowSpec> temporalRows(const reprisec::Pack& pack, Stage stage,
                                   std::span<const std::string> flipped) {
     std::vector<RowSpec> rows;
     rows.push_back({.label = "none", .variant = {}, .jitter = JitterSequence::none});
-    for (const auto& preset : pack.presets("temporal_aa"))
-        rows.push_back({.label = std::string(preset.name),
-                        .variant = presetVariant(pack, preset.name, stage),
-                        .preset = std::string(preset.name)});
+    for (const auto& preset : pack.presets("temporal_aa")) {
+        RowSpec row{.label = std::string(preset.name),
+                    .variant = presetVariant(pack, preset.name, stage),
+                    .preset = std::string(preset.name)};
+        rows.push_back(row);
+        if (preset.name == "inside") continue; // of the document's a flip is enough
+        row.label += ", camera";
+        row.cameraAlone = true;
+        if (auto set = reprise::setSwitch(*row.variant, "MOTION", "camera"); !set)
+            throw std::runtime_error(set.error().message);
+        rows.push_back(std::move(row));
+    }
     for (const std::string& name : flipped)
         addFlips(presetVariant(pack, name, stage), name, stage, rows);
     const Variant inside = presetVariant(pack, "inside", stage);
@@ -88,6 +101,13 @@ std::vector<RowSpec> temporalRows(const reprisec::Pack& pack, Stage stage,
                         .jitter = sequence});
     rows.push_back({.label = "inside, cut untold", .variant = inside, .cutIsTold = false});
     return rows;
+}
+
+std::vector<std::string> presetLabels(const reprisec::Pack& pack) {
+    std::vector<std::string> labels;
+    for (const RowSpec& row : temporalRows(pack, Stage::compute, {}))
+        if (row.cameraAlone || (row.variant && row.label == row.preset)) labels.push_back(row.label);
+    return labels;
 }
 
 } // namespace report

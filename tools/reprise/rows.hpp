@@ -4,6 +4,7 @@
 
 #include "reprise/camera.hpp"
 #include "reprisec.hpp"
+#include "scenes.hpp"
 
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@ struct RowSpec {
     reprise::JitterSequence jitter = reprise::JitterSequence::halton16;
     bool cutIsTold = true;         // history is declared invalid at the scene's camera cut
     std::string preset = "inside"; // whose feedback weights the row has
+    bool cameraAlone = false;      // only in scenes of which cameraMovesAlone()
 };
 
 std::string jitterName(reprise::JitterSequence sequence);
@@ -25,9 +27,15 @@ std::string switchText(const reprise::SwitchInfo& info, uint8_t value); // "cons
 // Switches that say what the engine's data is, not what to do with it: a report has one kind of data.
 bool describesInput(const reprise::SwitchInfo& info);
 
-// Rows of temporal_aa in `stage`: none, every preset, every switch of `flipped` presets flipped alone, the
-// sample sequences, and the document's preset without being told of the cut.
+// Then the plan has MOTION camera, and there are no motion vectors.
+bool cameraMovesAlone(const scenes::Scene& scene);
+
+// Rows of temporal_aa in `stage`: none, every preset, those of the project with MOTION camera too, every
+// switch of `flipped` presets flipped alone, the sample sequences, and the document's preset without being
+// told of the cut.
 std::vector<RowSpec> temporalRows(const reprisec::Pack& pack, reprise::Stage stage,
                                   std::span<const std::string> flipped);
+// Of the presets' rows, those with MOTION camera among them.
+std::vector<std::string> presetLabels(const reprisec::Pack& pack);
 
 } // namespace report

@@ -154,13 +154,16 @@ void measureRow(Experiment& e, const RowSpec& spec, Stage stage, const std::stri
 }
 
 // "none" has no stage and stands once.
-std::vector<std::pair<RowSpec, Stage>> rowsOf(const Plan& plan, const Shaders& shaders, int cutFrame) {
+std::vector<std::pair<RowSpec, Stage>> rowsOf(const Plan& plan, const Shaders& shaders,
+                                              const scenes::Scene& scene) {
     std::vector<std::pair<RowSpec, Stage>> rows;
     for (Stage stage : plan.stages)
         for (RowSpec& spec : temporalRows(shaders.pack(), stage, plan.flipped)) {
             const bool again = !spec.variant && stage != plan.stages.front();
-            const bool noCut = !spec.cutIsTold && (cutFrame < 0 || cutFrame >= static_cast<int>(plan.frames));
-            if (!again && !noCut) rows.emplace_back(std::move(spec), stage);
+            const bool noCut =
+                !spec.cutIsTold && (scene.cutFrame < 0 || scene.cutFrame >= static_cast<int>(plan.frames));
+            const bool otherScene = spec.cameraAlone && !cameraMovesAlone(scene);
+            if (!again && !noCut && !otherScene) rows.emplace_back(std::move(spec), stage);
         }
     return rows;
 }
@@ -203,7 +206,7 @@ double plannedWork(const Plan& plan, const Shaders& shaders) {
     for (const scenes::Scene& scene : plan.scenes) {
         if (plan.has("temporal_aa"))
             work += static_cast<double>(plan.frames) *
-                    (plan.truthSamples + static_cast<double>(rowsOf(plan, shaders, scene.cutFrame).size()));
+                    (plan.truthSamples + static_cast<double>(rowsOf(plan, shaders, scene).size()));
         if (plan.has("camera_velocity") || plan.has("object_velocity")) work += plan.frames;
     }
     return work + lightingWork(plan) + rotationsWork(plan);
@@ -211,7 +214,7 @@ double plannedWork(const Plan& plan, const Shaders& shaders) {
 
 void measureTemporal(Experiment& e, scenes::Renderer& renderer) {
     const scenes::Scene& scene = renderer.scene();
-    const auto rows = rowsOf(e.plan, e.shaders, scene.cutFrame);
+    const auto rows = rowsOf(e.plan, e.shaders, scene);
     if (e.plan.timingOnly) {
         for (const auto& [spec, stage] : rows)
             e.report.rows.push_back(rowFor(e, spec, stage, scene.name));

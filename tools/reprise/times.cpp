@@ -72,13 +72,15 @@ void bindImages(TimedFrame& timed) {
 // Every full-screen pass of the plan: temporal_aa in the variants of its rows, the others in all committed
 // ones.
 std::vector<Shaders::Request> variantsOf(const Plan& plan, const reprisec::Pack& pack) {
+    const bool cameraAlone = std::ranges::any_of(plan.scenes, cameraMovesAlone);
     std::vector<Shaders::Request> result;
     for (const auto& pass : pack.passes()) {
         if (!pass.fullscreen || !plan.has(pass.name)) continue;
         for (Stage stage : plan.stages) {
             if (pass.name == "temporal_aa") {
                 for (RowSpec& spec : temporalRows(pack, stage, plan.flipped))
-                    if (spec.variant) result.emplace_back(std::move(*spec.variant), stage);
+                    if (spec.variant && (cameraAlone || !spec.cameraAlone))
+                        result.emplace_back(std::move(*spec.variant), stage);
             } else {
                 for (const Variant& variant : pack.committedVariants(pass))
                     result.emplace_back(variant, stage);
