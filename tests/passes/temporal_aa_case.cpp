@@ -238,7 +238,9 @@ TemporalAaFrame randomFrame(int width, int height, uint64_t seed, Contrast contr
 
 TemporalAaFrame cameraFrame(const CameraKind& kind, int width, int height, uint64_t seed, bool behind) {
     TemporalAaFrame frame = randomFrame(width, height, seed);
-    setCamera(frame, randomCameraCase(kind, false, width, height, seed, behind).pass);
+    oracle::CameraVelocity camera = randomCameraCase(kind, false, width, height, seed).pass;
+    if (behind) camera.previous.worldToView = viewOf({1.4, 2.05, -3.2}, {0.33 + 3.14159, 0.12, 0.02});
+    setCamera(frame, camera);
     for (float& depth : frame.depth.values)
         depth = surfaceDepth(kind, frame.camera.current, depth);
     return frame;

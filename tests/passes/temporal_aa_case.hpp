@@ -20,7 +20,9 @@ enum class Contrast { moderate, extreme }; // 2^-6 to 2^4, or 0 and 2^-10 to 655
 // Every pixel has its own colour, motion (none, below a pixel, several pixels, out of the image) and depth;
 // no two depths of a 4x4 block are equal, so that the closest fragment is one.
 TemporalAaFrame randomFrame(int width, int height, uint64_t seed, Contrast contrast = Contrast::moderate);
-// The same with cameras and jitter of randomCameraCase(), and surfaces and sky that they may see.
+// The same with cameras and jitter of randomCameraCase(), and surfaces and sky that they may see. With
+// `behind` the previous camera looked the other way: without a guard most would be found in its image,
+// mirrored.
 TemporalAaFrame cameraFrame(const CameraKind& kind, int width, int height, uint64_t seed,
                             bool behind = false);
 // currUv - prevUv of what the texel shows, as the variant finds it.
