@@ -10,9 +10,8 @@
 //                    unused where the compute form gathers them
 // gOutFiltered       values, filtered. Depth beside them is the texel's own, so that the next direction and
 //                    the next frame's cache find it
-// What is packed never passes a linear filter: it is gathered and unpacked first, or where it is not gathered
-// read texel by texel, whatever TAPS says. A value that is NaN or beyond MAX_COLOUR is filled from its
-// neighbours.
+// What is packed never passes a linear filter: between two texels lies the mean of what both hold. A value
+// that is NaN or beyond MAX_COLOUR is filled from its neighbours.
 
 #include "passes/cached_values.hlsli"
 #include "reprise/conventions.hlsli"
@@ -33,15 +32,14 @@ BINDING(0) cbuffer BilateralFilterParameters {
 
 // Steps of one texel: four texels a thread, whose taps come by gathers, four texels a read.
 #define GATHERS (STAGE_COMPUTE && STEP_ONE)
-// Packed pairs halfway between two texels are means of what is gathered and unpacked.
-#define TAPS_BETWEEN (TAPS_LINEAR && (GATHERS || !VALUES_PACKED))
+#define TAPS_FILTERED (TAPS_LINEAR && !VALUES_PACKED && !GATHERS)
 
 TEXTURE_POINT(gInCache, 1);
-#if TAPS_BETWEEN && !GATHERS
+#if TAPS_FILTERED
 TEXTURE_LINEAR(gInCacheFiltered, 2);
 #endif
 TEXTURE_POINT(gInCacheState, 3);
-#if TAPS_BETWEEN && DEPTH_APART && !GATHERS
+#if TAPS_FILTERED && DEPTH_APART
 TEXTURE_LINEAR(gInCacheStateFiltered, 4);
 #endif
 
@@ -58,8 +56,15 @@ Tap tapOf(float4 values, float4 state) {
     return tap;
 }
 
+Tap meanOf(Tap a, Tap b) {
+    Tap tap;
+    tap.values = 0.5 * (a.values + b.values);
+    tap.depth = 0.5 * (a.depth + b.depth);
+    return tap;
+}
+
 // Taps of Listing 7.3 halfway between two texels; or single texels, each with half of a tap's weight.
-#if TAPS_BETWEEN
+#if TAPS_LINEAR
 static const int TAP_COUNT = 5;
 static const float OFFSETS[TAP_COUNT] = { -3.5, -1.5, 0.0, 1.5, 3.5 };
 static const float WEIGHTS[TAP_COUNT] = {
@@ -99,15 +104,23 @@ float4 filteredTexel(Tap taps[TAP_COUNT], float frames) {
 
 #if !GATHERS
 
-Tap readTap(float2 uv) {
-#if TAPS_BETWEEN && DEPTH_APART
+Tap readPlace(float2 uv) {
+#if TAPS_FILTERED && DEPTH_APART
     return tapOf(SAMPLE(gInCacheFiltered, uv), SAMPLE(gInCacheStateFiltered, uv));
-#elif TAPS_BETWEEN
+#elif TAPS_FILTERED
     return tapOf(SAMPLE(gInCacheFiltered, uv), 0.0);
 #elif DEPTH_APART
     return tapOf(SAMPLE(gInCache, uv), SAMPLE(gInCacheState, uv));
 #else
     return tapOf(SAMPLE(gInCache, uv), 0.0);
+#endif
+}
+
+Tap readTap(float2 uv, float offset, float2 offSize) {
+#if TAPS_LINEAR && VALUES_PACKED
+    return meanOf(readPlace(uv + floor(offset) * offSize), readPlace(uv + ceil(offset) * offSize));
+#else
+    return readPlace(uv + offset * offSize);
 #endif
 }
 
@@ -118,7 +131,7 @@ float4 filteredTexel(float2 uv) {
     // Of the texel alone: a filter's rounding would mix in its neighbours' frames and depths.
     taps[TAP_COUNT / 2] = tapOf(SAMPLE(gInCache, uv), state);
     [unroll] for (int i = 0; i < TAP_COUNT; ++i)
-        if (i != TAP_COUNT / 2) taps[i] = readTap(uv + OFFSETS[i] * offSize);
+        if (i != TAP_COUNT / 2) taps[i] = readTap(uv, OFFSETS[i], offSize);
     return filteredTexel(taps, state.r);
 }
 
@@ -143,11 +156,8 @@ void gatherTaps(float2 uv, out Tap taps[4]) {
 float4 filteredOfLine(Tap texels[10], int centre, float frames) {
     Tap taps[TAP_COUNT];
     [unroll] for (int i = 0; i < TAP_COUNT; ++i) {
-#if TAPS_BETWEEN
-        // Halfway between two texels, as a linear filter reads them.
-        int nearer = centre + int(floor(OFFSETS[i])), farther = centre + int(ceil(OFFSETS[i]));
-        taps[i].values = 0.5 * (texels[nearer].values + texels[farther].values);
-        taps[i].depth = 0.5 * (texels[nearer].depth + texels[farther].depth);
+#if TAPS_LINEAR
+        taps[i] = meanOf(texels[centre + int(floor(OFFSETS[i]))], texels[centre + int(ceil(OFFSETS[i]))]);
         if (i == TAP_COUNT / 2) taps[i] = texels[centre];
 #else
         taps[i] = texels[centre + i - TAP_COUNT / 2];

@@ -204,8 +204,7 @@ std::vector<Scene> reprojectionCacheScenes(const Variant& variant) {
 std::vector<Scene> bilateralFilterScenes(const Variant& variant) {
     std::vector<Scene> scenes;
     for (const Size size : sizes) {
-        const auto frame = shared(passes::bilateralFilterCase(variant, reprise::Stage::fragment, size.width,
-                                                              size.height, {1, 0}, 67));
+        const auto frame = shared(passes::bilateralFilterCase(variant, size.width, size.height, {1, 0}, 67));
         scenes.push_back(sceneOf(size, frame));
         scenes.back().images = {{"gInCache", &frame->cache},
                                 {"gInCacheFiltered", &frame->cache},

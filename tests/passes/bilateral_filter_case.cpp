@@ -98,14 +98,12 @@ Texel randomCached(CachePass::Values values, uint64_t seed, int x, int y, double
     return {texel.x, texel.y, texel.z, texel.w};
 }
 
-BilateralFilterCase bilateralFilterCase(const Variant& variant, Stage stage, int width, int height,
-                                        glm::ivec2 direction, uint64_t seed) {
+BilateralFilterCase bilateralFilterCase(const Variant& variant, int width, int height, glm::ivec2 direction,
+                                        uint64_t seed) {
     BilateralFilterCase made;
     oracle::FilterPass& pass = made.pass;
     pass.values = cachedValuesOf(variant);
-    const bool gathers = stage == Stage::compute && reprise::switchValue(variant, "STEP") == "one";
-    pass.linear =
-        reprise::switchValue(variant, "TAPS") == "linear" && (gathers || !oracle::isPacked(pass.values));
+    pass.linear = reprise::switchValue(variant, "TAPS") == "linear";
     pass.direction = direction;
     // In a large image under a linear filter a rounded coordinate beside the sky decides over a tap's whole
     // weight, and nothing is left to compare; the page names it as a limit.

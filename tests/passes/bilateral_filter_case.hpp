@@ -19,9 +19,8 @@ oracle::CachePass::Values cachedValuesOf(const Variant& variant);
 Texel randomCached(oracle::CachePass::Values values, uint64_t seed, int x, int y, double depth);
 
 // Random values and frames on surfaces of three depths, in blocks, and sky.
-// Packed pairs lie between texels where the stage gathers them.
-BilateralFilterCase bilateralFilterCase(const Variant& variant, Stage stage, int width, int height,
-                                        glm::ivec2 direction, uint64_t seed);
+BilateralFilterCase bilateralFilterCase(const Variant& variant, int width, int height, glm::ivec2 direction,
+                                        uint64_t seed);
 std::vector<Pixels> run(Pass& pass, const BilateralFilterCase& frame);
 Comparison compareWithOracle(const BilateralFilterCase& frame, const Pixels& filtered);
 

@@ -247,7 +247,7 @@ Comparison reprojectionCache(const D3d9Pack& pack, const Variant& variant, Size 
 }
 
 Comparison bilateralFilter(const D3d9Pack& pack, const Variant& variant, Size size) {
-    const auto frame = bilateralFilterCase(variant, Stage::fragment, size.width, size.height, {1, 0}, 77);
+    const auto frame = bilateralFilterCase(variant, size.width, size.height, {1, 0}, 77);
     Pass pass = fullscreenPass(pack, variant, wideFormats(variant));
     return compareWithOracle(frame, run(pass, frame)[0]);
 }

@@ -54,7 +54,7 @@ Comparison checkReprojectionCache(Stage stage) {
 Comparison checkBilateralFilter(Stage stage) {
     const Variant variant = variantOf(pack(), "bilateral_filter");
     Pass pass(variant, stage);
-    const BilateralFilterCase frame = bilateralFilterCase(variant, stage, 33, 17, {1, 0}, 56);
+    const BilateralFilterCase frame = bilateralFilterCase(variant, 33, 17, {1, 0}, 56);
     return compareWithOracle(frame, run(pass, frame)[0]);
 }
 

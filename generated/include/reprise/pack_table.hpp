@@ -1086,7 +1086,7 @@ inline constexpr SwitchInfo bilateral_filter_switches[] = {
     {"VALUES", bilateral_filter_VALUES_values, 0, "more than one value is cached",
      "how many; or occlusion and shadow packed in one number, in either order", {}},
     {"TAPS", bilateral_filter_TAPS_values, 0, "",
-     "five reads between texels, or nine of texels, which leak less at edges; packed pairs that are not gathered point", {}},
+     "five taps between texels, of packed pairs in nine reads; or nine of texels, which leak less at edges", {}},
     {"STEP", bilateral_filter_STEP_values, 0, "taps lie farther apart than a texel, or nearer",
      "one: four texels a thread, whose taps are gathered; any: gDirection is times a step", bilateral_filter_STEP_stages},
 };
