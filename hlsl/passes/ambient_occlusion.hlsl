@@ -12,9 +12,9 @@
 BINDING(0) cbuffer AmbientOcclusionParameters {
     float4 gOutputSize;    // width, height, 1 / width, 1 / height
     float4 gViewRay;       // extent and origin of the view rays over this image, see viewPosition()
-    float gRadius;         // metres, above 0
     float2 gOcclusionBias; // metres, and metres per metre of depth, by which a surface must lie in front
     float2 gFrameToCoarse; // NORMALS read: frame / (ratio * coarse extent), of UV
+    float gRadius;         // metres, above 0
     float4 gTaps[32];      // of this frame, SAMPLES of them: reprise::occlusionTaps()
 };
 

@@ -38,7 +38,6 @@ BINDING(0) cbuffer LightingCacheParameters {
     float3 gShadowBias;      // depth of the first cascade, that a metre of linear depth; steepest plane that
                              // is followed, in depth a texel of the first cascade
     float gSubsetCount;      // frames after which the pattern repeats, 1 to 16
-    float gRadius;           // metres, above 0
     float2 gOcclusionBias;   // metres, and metres per metre of depth, by which a surface must lie in front
     float2 gFrameToCoarse;   // UV over the frame to UV over this image: frame / (ratio * coarse extent)
     float2 gMotionToUv;      // (1, 1) for currUv - prevUv in UV
@@ -46,6 +45,7 @@ BINDING(0) cbuffer LightingCacheParameters {
     float2 gMissThreshold;   // metres, and metres per metre of depth, from which on depths are two surfaces
     float2 gSpeedPx;         // pixels of this image a frame, from which on history fades, and is none
     float2 gChange;          // CHANGE_DETECTION: deviations, plus a difference, that history may differ by
+    float gRadius;           // metres, above 0
     float gConvergenceTime;  // confidence of equal depths, above 0: 2 keeps it whole up to half the threshold
     float gMaxWeight;        // most weight of history, [0, 1)
     float gHistoryValid;     // 0 on the first frame, after a cut, a gap or a resize

@@ -80,19 +80,18 @@ inline constexpr uint32_t gInDepth_sampler = 33;
 struct alignas(16) AmbientOcclusionParameters {
     float gOutputSize[4];   // float4
     float gViewRay[4];   // float4
-    float gRadius;
     float gOcclusionBias[2];   // float2
-    float pad0[1];
     float gFrameToCoarse[2];   // float2
-    float pad1[2];
+    float gRadius;
+    float pad0[3];
     float gTaps[128];   // float4[32]
 };
 static_assert(sizeof(AmbientOcclusionParameters) == 576);
 static_assert(offsetof(AmbientOcclusionParameters, gOutputSize) == 0);
 static_assert(offsetof(AmbientOcclusionParameters, gViewRay) == 16);
-static_assert(offsetof(AmbientOcclusionParameters, gRadius) == 32);
-static_assert(offsetof(AmbientOcclusionParameters, gOcclusionBias) == 36);
-static_assert(offsetof(AmbientOcclusionParameters, gFrameToCoarse) == 48);
+static_assert(offsetof(AmbientOcclusionParameters, gOcclusionBias) == 32);
+static_assert(offsetof(AmbientOcclusionParameters, gFrameToCoarse) == 40);
+static_assert(offsetof(AmbientOcclusionParameters, gRadius) == 48);
 static_assert(offsetof(AmbientOcclusionParameters, gTaps) == 64);
 namespace bindings::ambient_occlusion {
 inline constexpr uint32_t AmbientOcclusionParameters = 0;
@@ -219,19 +218,18 @@ struct alignas(16) LightingCacheParameters {
     float gFrameIndex;
     float gShadowBias[3];   // float3
     float gSubsetCount;
-    float gRadius;
     float gOcclusionBias[2];   // float2
-    float pad0[1];
     float gFrameToCoarse[2];   // float2
     float gMotionToUv[2];   // float2
     float gClipToDepth[2];   // float2
     float gMissThreshold[2];   // float2
     float gSpeedPx[2];   // float2
     float gChange[2];   // float2
+    float gRadius;
     float gConvergenceTime;
     float gMaxWeight;
     float gHistoryValid;
-    float pad1[1];
+    float pad0[2];
     float gTaps[128];   // float4[32]
 };
 static_assert(sizeof(LightingCacheParameters) == 896);
@@ -253,17 +251,17 @@ static_assert(offsetof(LightingCacheParameters, gDisc) == 272);
 static_assert(offsetof(LightingCacheParameters, gFrameIndex) == 284);
 static_assert(offsetof(LightingCacheParameters, gShadowBias) == 288);
 static_assert(offsetof(LightingCacheParameters, gSubsetCount) == 300);
-static_assert(offsetof(LightingCacheParameters, gRadius) == 304);
-static_assert(offsetof(LightingCacheParameters, gOcclusionBias) == 308);
-static_assert(offsetof(LightingCacheParameters, gFrameToCoarse) == 320);
-static_assert(offsetof(LightingCacheParameters, gMotionToUv) == 328);
-static_assert(offsetof(LightingCacheParameters, gClipToDepth) == 336);
-static_assert(offsetof(LightingCacheParameters, gMissThreshold) == 344);
-static_assert(offsetof(LightingCacheParameters, gSpeedPx) == 352);
-static_assert(offsetof(LightingCacheParameters, gChange) == 360);
-static_assert(offsetof(LightingCacheParameters, gConvergenceTime) == 368);
-static_assert(offsetof(LightingCacheParameters, gMaxWeight) == 372);
-static_assert(offsetof(LightingCacheParameters, gHistoryValid) == 376);
+static_assert(offsetof(LightingCacheParameters, gOcclusionBias) == 304);
+static_assert(offsetof(LightingCacheParameters, gFrameToCoarse) == 312);
+static_assert(offsetof(LightingCacheParameters, gMotionToUv) == 320);
+static_assert(offsetof(LightingCacheParameters, gClipToDepth) == 328);
+static_assert(offsetof(LightingCacheParameters, gMissThreshold) == 336);
+static_assert(offsetof(LightingCacheParameters, gSpeedPx) == 344);
+static_assert(offsetof(LightingCacheParameters, gChange) == 352);
+static_assert(offsetof(LightingCacheParameters, gRadius) == 360);
+static_assert(offsetof(LightingCacheParameters, gConvergenceTime) == 364);
+static_assert(offsetof(LightingCacheParameters, gMaxWeight) == 368);
+static_assert(offsetof(LightingCacheParameters, gHistoryValid) == 372);
 static_assert(offsetof(LightingCacheParameters, gTaps) == 384);
 namespace bindings::lighting_cache {
 inline constexpr uint32_t LightingCacheParameters = 0;
@@ -674,41 +672,41 @@ inline constexpr ImageInfo ambient_occlusion_outputs[] = {
 };
 inline constexpr PackModule ambient_occlusion_modules[] = {
     {"ambient_occlusion", Stage::fragment,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
+     "", ""},
     {"ambient_occlusion", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-1", Stage::fragment,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
+     "", ""},
     {"ambient_occlusion--samples-1", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-2", Stage::fragment,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
+     "", ""},
     {"ambient_occlusion--samples-2", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-8", Stage::fragment,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
+     "", ""},
     {"ambient_occlusion--samples-8", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-12", Stage::fragment,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
+     "", ""},
     {"ambient_occlusion--samples-12", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-16", Stage::fragment,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
+     "", ""},
     {"ambient_occlusion--samples-16", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--samples-32", Stage::fragment,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
+     "", ""},
     {"ambient_occlusion--samples-32", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--normals-read", Stage::fragment,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
+     "", ""},
     {"ambient_occlusion--normals-read", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
     {"ambient_occlusion--orthographic-on", Stage::fragment,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "GLSL ES 3.00 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout."},
+     "", ""},
     {"ambient_occlusion--orthographic-on", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutOcclusion); use the fragment form"},
 };
 inline constexpr Stage sun_shadow_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view sun_shadow_SAMPLES_values[] = {"1", "2", "4", "8", "12", "16", "32"};
@@ -1029,53 +1027,53 @@ inline constexpr ImageInfo lighting_cache_outputs[] = {
 };
 inline constexpr PackModule lighting_cache_modules[] = {
     {"lighting_cache", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--values-two", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--values-occlusion_in_integer", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--values-shadow_in_integer", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--fresh-shadow", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--fresh-both", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--samples-1", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--samples-2", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--samples-8", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--samples-12", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--samples-16", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--samples-32", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--normals-read", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--cascades-1", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--cascades-2", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--cascades-4", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--shadow_reversed-on", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--history-motion", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--history-still", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--history-none", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--resampling-nearest", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--change_detection-on", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--orthographic-on", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--half_depth-on", Stage::compute,
-     "GLSL 4.50 cannot express it: Buffer block cannot be expressed as any of std430, std140, scalar, even with enhanced layouts. You can try flattening this block to support a more flexible layout.", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+     "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
 };
 inline constexpr Stage bilateral_filter_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view bilateral_filter_VALUES_values[] = {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer"};

@@ -3,6 +3,10 @@
 #include "small_pack.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
 
 using reprise::Stage;
 using reprisec::BindingUse;
@@ -257,4 +261,25 @@ TEST_F(SmallPack, macrosOfThePackBesideTheHeadersAreZero) {
     EXPECT_EQ(messageOf(reprisec::compileSource(text)), "it succeeded");
     text.defines = {{"TAPS_NINE", 1}};
     EXPECT_FALSE(reprisec::compileSource(text)) << "#error is reached";
+}
+
+// What a consumer of GLSL has none of: what GLSL lacks, and not what a layout of parameters keeps from it.
+TEST(Generated, lacksGlslForNothingButWhatTheLanguageHasNot) {
+    size_t modules = 0;
+    for (const auto& file : std::filesystem::recursive_directory_iterator("generated")) {
+        if (file.path().extension() != ".json") continue;
+        ++modules;
+        std::ifstream stream(file.path());
+        const auto json = nlohmann::json::parse(stream);
+        const auto& switches = json.at("switches");
+        const auto& targets = json.at("targets");
+        const bool rowsShare = json.at("stage") == "compute" && switches.contains("QUAD_SHARING") &&
+                               switches.at("QUAD_SHARING") == "on";
+        EXPECT_EQ(targets.at("glsl450").at("reason").is_null(), !rowsShare) << file.path();
+        const auto& reason = targets.at("glslEs").at("reason");
+        if (!reason.is_null()) {
+            EXPECT_FALSE(says(reason.get<std::string>(), "std140")) << file.path();
+        }
+    }
+    EXPECT_GT(modules, 200u);
 }

@@ -1,0 +1,162 @@
+#version 450
+layout(local_size_x = 32, local_size_y = 32, local_size_z = 1) in;
+
+layout(binding = 0, std140) uniform AmbientOcclusionParameters
+{
+    vec4 gOutputSize;
+    vec4 gViewRay;
+    vec2 gOcclusionBias;
+    vec2 gFrameToCoarse;
+    float gRadius;
+    vec4 gTaps[32];
+} parameters;
+
+layout(binding = 16) uniform writeonly image2D gOutOcclusion;
+layout(binding = 1) uniform sampler2D gInCoarseDepth;
+
+void main()
+{
+    do
+    {
+        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
+        {
+            break;
+        }
+        vec2 _79 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+        vec2 _81 = _79 * parameters.gOutputSize.zw;
+        vec2 _85 = parameters.gOutputSize.zw * 0.5;
+        vec4 _88 = textureGather(gInCoarseDepth, fma(_79, parameters.gOutputSize.zw, -_85));
+        vec4 _91 = textureGather(gInCoarseDepth, fma(_79, parameters.gOutputSize.zw, _85));
+        float _92 = _88.y;
+        float _95 = (_92 > 0.0) ? min(_92, 65504.0) : 65504.0;
+        float _96 = _88.x;
+        float _99 = (_96 > 0.0) ? min(_96, 65504.0) : 65504.0;
+        float _100 = _88.z;
+        float _103 = (_100 > 0.0) ? min(_100, 65504.0) : 65504.0;
+        float _104 = _91.z;
+        float _107 = (_104 > 0.0) ? min(_104, 65504.0) : 65504.0;
+        float _108 = _91.x;
+        float _111 = (_108 > 0.0) ? min(_108, 65504.0) : 65504.0;
+        bvec2 _112 = greaterThan(_81, parameters.gOutputSize.zw);
+        bvec2 _114 = lessThan(_81, vec2(1.0) - parameters.gOutputSize.zw);
+        float _120 = _107 - _95;
+        vec2 _128 = mix(vec2(_120, _107), vec2(_95 - _99, _99), bvec2((_112.x ? abs(_99 - _95) : 131008.0) < (_114.x ? abs(_120) : 65504.0)));
+        float _134 = _111 - _95;
+        vec2 _142 = mix(vec2(_134, _111), vec2(_95 - _103, _103), bvec2((_112.y ? abs(_103 - _95) : 131008.0) < (_114.y ? abs(_134) : 65504.0)));
+        vec2 _154 = vec2(_128.x, _142.x) / ((parameters.gViewRay.xy * parameters.gOutputSize.zw) * vec2(_128.y, _142.y));
+        vec3 _162 = normalize(vec3(_154, (-1.0) - dot(fma(_81, parameters.gViewRay.xy, parameters.gViewRay.zw), _154)));
+        vec2 _163 = floor(_79);
+        vec2 _165 = floor(_163 * 0.5);
+        vec2 _167 = _163 - (_165 * 2.0);
+        vec2 _171 = _165 - (floor(_165 * 0.5) * 2.0);
+        float _172 = _167.x;
+        float _173 = _167.y;
+        float _175 = abs(_172 - _173);
+        float _176 = _171.y;
+        float _181 = _171.x;
+        vec2 _193 = vec2(fma(2.0, abs(_181 - _176), fma(8.0, _175, 4.0 * _173)) + _176, fma(2.0, abs(abs(_176 - _173) - _181), fma(4.0, _172, fma(-8.0, _175, 8.0))) + _181) * vec2(0.0625);
+        float _195 = 6.283185482025146484375 * _193.x;
+        float _196 = cos(_195);
+        float _197 = sin(_195);
+        float _204 = 1.0 / max(fma(parameters.gOcclusionBias.y, _95, parameters.gOcclusionBias.x), 9.9999999747524270787835121154785e-07);
+        vec2 _205 = vec2(1.0) / parameters.gViewRay.xy;
+        vec3 _209 = vec3(_81 * _95, _95);
+        float _210 = _162.z;
+        float _212 = (_210 >= 0.0) ? 1.0 : (-1.0);
+        float _214 = (-1.0) / (_212 + _210);
+        float _215 = _162.x;
+        float _216 = _162.y;
+        float _218 = (_215 * _216) * _214;
+        vec3 _225 = vec3(fma((_212 * _215) * _215, _214, 1.0), _212 * _218, (-_212) * _215);
+        vec3 _229 = vec3(_218, fma(_216 * _216, _214, _212), -_216);
+        vec3 _235 = ((_225 * _196) + (_229 * _197)) * parameters.gRadius;
+        float _237 = _235.z;
+        vec3 _243 = vec3((_235.xy - (parameters.gViewRay.zw * _237)) * _205, _237);
+        vec3 _247 = ((_229 * _196) - (_225 * _197)) * parameters.gRadius;
+        float _249 = _247.z;
+        vec3 _255 = vec3((_247.xy - (parameters.gViewRay.zw * _249)) * _205, _249);
+        vec3 _256 = _162 * parameters.gRadius;
+        float _258 = _256.z;
+        vec3 _264 = vec3((_256.xy - (parameters.gViewRay.zw * _258)) * _205, _258);
+        float _276 = _193.y;
+        vec3 _281 = _209 + ((((_243 * parameters.gTaps[0].x) + (_255 * parameters.gTaps[0].y)) + (_264 * parameters.gTaps[0].z)) * sqrt(fract(parameters.gTaps[0].w + _276)));
+        float _282 = 1.0 / parameters.gRadius;
+        float _284 = _281.z;
+        vec2 _286 = _281.xy * (1.0 / _284);
+        vec4 _294 = textureLod(gInCoarseDepth, _286, 0.0);
+        float _295 = _294.x;
+        float _299 = _284 - ((_295 > 0.0) ? min(_295, 65504.0) : 65504.0);
+        vec3 _324 = _209 + ((((_243 * parameters.gTaps[1].x) + (_255 * parameters.gTaps[1].y)) + (_264 * parameters.gTaps[1].z)) * sqrt(fract(parameters.gTaps[1].w + _276)));
+        float _326 = _324.z;
+        vec2 _328 = _324.xy * (1.0 / _326);
+        vec4 _336 = textureLod(gInCoarseDepth, _328, 0.0);
+        float _337 = _336.x;
+        float _341 = _326 - ((_337 > 0.0) ? min(_337, 65504.0) : 65504.0);
+        vec3 _367 = _209 + ((((_243 * parameters.gTaps[2].x) + (_255 * parameters.gTaps[2].y)) + (_264 * parameters.gTaps[2].z)) * sqrt(fract(parameters.gTaps[2].w + _276)));
+        float _369 = _367.z;
+        vec2 _371 = _367.xy * (1.0 / _369);
+        vec4 _379 = textureLod(gInCoarseDepth, _371, 0.0);
+        float _380 = _379.x;
+        float _384 = _369 - ((_380 > 0.0) ? min(_380, 65504.0) : 65504.0);
+        vec3 _410 = _209 + ((((_243 * parameters.gTaps[3].x) + (_255 * parameters.gTaps[3].y)) + (_264 * parameters.gTaps[3].z)) * sqrt(fract(parameters.gTaps[3].w + _276)));
+        float _412 = _410.z;
+        vec2 _414 = _410.xy * (1.0 / _412);
+        vec4 _422 = textureLod(gInCoarseDepth, _414, 0.0);
+        float _423 = _422.x;
+        float _427 = _412 - ((_423 > 0.0) ? min(_423, 65504.0) : 65504.0);
+        vec3 _453 = _209 + ((((_243 * parameters.gTaps[4].x) + (_255 * parameters.gTaps[4].y)) + (_264 * parameters.gTaps[4].z)) * sqrt(fract(parameters.gTaps[4].w + _276)));
+        float _455 = _453.z;
+        vec2 _457 = _453.xy * (1.0 / _455);
+        vec4 _465 = textureLod(gInCoarseDepth, _457, 0.0);
+        float _466 = _465.x;
+        float _470 = _455 - ((_466 > 0.0) ? min(_466, 65504.0) : 65504.0);
+        vec2 _480 = (((mix(vec2(0.0), vec2(clamp(fma(_299, _204, -1.0), 0.0, 1.0) * clamp(fma(-_299, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_284 > 0.0) && all(lessThanEqual(abs(_286 - vec2(0.5)), vec2(0.5))))) + mix(vec2(0.0), vec2(clamp(fma(_341, _204, -1.0), 0.0, 1.0) * clamp(fma(-_341, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_326 > 0.0) && all(lessThanEqual(abs(_328 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_384, _204, -1.0), 0.0, 1.0) * clamp(fma(-_384, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_369 > 0.0) && all(lessThanEqual(abs(_371 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_427, _204, -1.0), 0.0, 1.0) * clamp(fma(-_427, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_412 > 0.0) && all(lessThanEqual(abs(_414 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_470, _204, -1.0), 0.0, 1.0) * clamp(fma(-_470, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_455 > 0.0) && all(lessThanEqual(abs(_457 - vec2(0.5)), vec2(0.5)))));
+        vec3 _496 = _209 + ((((_243 * parameters.gTaps[5].x) + (_255 * parameters.gTaps[5].y)) + (_264 * parameters.gTaps[5].z)) * sqrt(fract(parameters.gTaps[5].w + _276)));
+        float _498 = _496.z;
+        vec2 _500 = _496.xy * (1.0 / _498);
+        vec4 _508 = textureLod(gInCoarseDepth, _500, 0.0);
+        float _509 = _508.x;
+        float _513 = _498 - ((_509 > 0.0) ? min(_509, 65504.0) : 65504.0);
+        vec3 _539 = _209 + ((((_243 * parameters.gTaps[6].x) + (_255 * parameters.gTaps[6].y)) + (_264 * parameters.gTaps[6].z)) * sqrt(fract(parameters.gTaps[6].w + _276)));
+        float _541 = _539.z;
+        vec2 _543 = _539.xy * (1.0 / _541);
+        vec4 _551 = textureLod(gInCoarseDepth, _543, 0.0);
+        float _552 = _551.x;
+        float _556 = _541 - ((_552 > 0.0) ? min(_552, 65504.0) : 65504.0);
+        vec3 _582 = _209 + ((((_243 * parameters.gTaps[7].x) + (_255 * parameters.gTaps[7].y)) + (_264 * parameters.gTaps[7].z)) * sqrt(fract(parameters.gTaps[7].w + _276)));
+        float _584 = _582.z;
+        vec2 _586 = _582.xy * (1.0 / _584);
+        vec4 _594 = textureLod(gInCoarseDepth, _586, 0.0);
+        float _595 = _594.x;
+        float _599 = _584 - ((_595 > 0.0) ? min(_595, 65504.0) : 65504.0);
+        vec3 _625 = _209 + ((((_243 * parameters.gTaps[8].x) + (_255 * parameters.gTaps[8].y)) + (_264 * parameters.gTaps[8].z)) * sqrt(fract(parameters.gTaps[8].w + _276)));
+        float _627 = _625.z;
+        vec2 _629 = _625.xy * (1.0 / _627);
+        vec4 _637 = textureLod(gInCoarseDepth, _629, 0.0);
+        float _638 = _637.x;
+        float _642 = _627 - ((_638 > 0.0) ? min(_638, 65504.0) : 65504.0);
+        vec3 _668 = _209 + ((((_243 * parameters.gTaps[9].x) + (_255 * parameters.gTaps[9].y)) + (_264 * parameters.gTaps[9].z)) * sqrt(fract(parameters.gTaps[9].w + _276)));
+        float _670 = _668.z;
+        vec2 _672 = _668.xy * (1.0 / _670);
+        vec4 _680 = textureLod(gInCoarseDepth, _672, 0.0);
+        float _681 = _680.x;
+        float _685 = _670 - ((_681 > 0.0) ? min(_681, 65504.0) : 65504.0);
+        vec2 _695 = ((((_480 + mix(vec2(0.0), vec2(clamp(fma(_513, _204, -1.0), 0.0, 1.0) * clamp(fma(-_513, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_498 > 0.0) && all(lessThanEqual(abs(_500 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_556, _204, -1.0), 0.0, 1.0) * clamp(fma(-_556, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_541 > 0.0) && all(lessThanEqual(abs(_543 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_599, _204, -1.0), 0.0, 1.0) * clamp(fma(-_599, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_584 > 0.0) && all(lessThanEqual(abs(_586 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_642, _204, -1.0), 0.0, 1.0) * clamp(fma(-_642, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_627 > 0.0) && all(lessThanEqual(abs(_629 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_685, _204, -1.0), 0.0, 1.0) * clamp(fma(-_685, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_670 > 0.0) && all(lessThanEqual(abs(_672 - vec2(0.5)), vec2(0.5)))));
+        vec3 _711 = _209 + ((((_243 * parameters.gTaps[10].x) + (_255 * parameters.gTaps[10].y)) + (_264 * parameters.gTaps[10].z)) * sqrt(fract(parameters.gTaps[10].w + _276)));
+        float _713 = _711.z;
+        vec2 _715 = _711.xy * (1.0 / _713);
+        vec4 _723 = textureLod(gInCoarseDepth, _715, 0.0);
+        float _724 = _723.x;
+        float _728 = _713 - ((_724 > 0.0) ? min(_724, 65504.0) : 65504.0);
+        vec3 _754 = _209 + ((((_243 * parameters.gTaps[11].x) + (_255 * parameters.gTaps[11].y)) + (_264 * parameters.gTaps[11].z)) * sqrt(fract(parameters.gTaps[11].w + _276)));
+        float _756 = _754.z;
+        vec2 _758 = _754.xy * (1.0 / _756);
+        vec4 _766 = textureLod(gInCoarseDepth, _758, 0.0);
+        float _767 = _766.x;
+        float _771 = _756 - ((_767 > 0.0) ? min(_767, 65504.0) : 65504.0);
+        vec2 _781 = (_695 + mix(vec2(0.0), vec2(clamp(fma(_728, _204, -1.0), 0.0, 1.0) * clamp(fma(-_728, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_713 > 0.0) && all(lessThanEqual(abs(_715 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_771, _204, -1.0), 0.0, 1.0) * clamp(fma(-_771, _282, 2.0), 0.0, 1.0), 1.0), bvec2((_756 > 0.0) && all(lessThanEqual(abs(_758 - vec2(0.5)), vec2(0.5)))));
+        imageStore(gOutOcclusion, ivec2(gl_GlobalInvocationID.xy), vec4((_95 < 65504.0) ? (1.0 - (_781.x / max(_781.y, 1.0))) : 1.0, _95, 0.0, 0.0));
+        break;
+    } while(false);
+}
+

@@ -1,0 +1,123 @@
+#version 300 es
+precision highp float;
+precision highp int;
+
+layout(std140) uniform AmbientOcclusionParameters
+{
+    vec4 gOutputSize;
+    vec4 gViewRay;
+    vec2 gOcclusionBias;
+    vec2 gFrameToCoarse;
+    float gRadius;
+    vec4 gTaps[32];
+} parameters;
+
+uniform highp sampler2D gInCoarseDepth;
+
+layout(location = 0) out vec4 gOutOcclusion;
+
+void main()
+{
+    vec2 _64 = gl_FragCoord.xy * parameters.gOutputSize.zw;
+    vec4 _68 = textureLod(gInCoarseDepth, _64, 0.0);
+    float _69 = _68.x;
+    float _72 = (_69 > 0.0) ? min(_69, 65504.0) : 65504.0;
+    vec2 _75 = vec2(parameters.gOutputSize.z, 0.0);
+    vec4 _79 = textureLod(gInCoarseDepth, gl_FragCoord.xy * parameters.gOutputSize.zw + (-_75), 0.0);
+    float _80 = _79.x;
+    float _83 = (_80 > 0.0) ? min(_80, 65504.0) : 65504.0;
+    vec2 _86 = vec2(0.0, parameters.gOutputSize.w);
+    vec4 _90 = textureLod(gInCoarseDepth, gl_FragCoord.xy * parameters.gOutputSize.zw + (-_86), 0.0);
+    float _91 = _90.x;
+    float _94 = (_91 > 0.0) ? min(_91, 65504.0) : 65504.0;
+    vec4 _97 = textureLod(gInCoarseDepth, gl_FragCoord.xy * parameters.gOutputSize.zw + _75, 0.0);
+    float _98 = _97.x;
+    float _101 = (_98 > 0.0) ? min(_98, 65504.0) : 65504.0;
+    vec4 _104 = textureLod(gInCoarseDepth, gl_FragCoord.xy * parameters.gOutputSize.zw + _86, 0.0);
+    float _105 = _104.x;
+    float _108 = (_105 > 0.0) ? min(_105, 65504.0) : 65504.0;
+    bvec2 _109 = greaterThan(_64, parameters.gOutputSize.zw);
+    bvec2 _111 = lessThan(_64, vec2(1.0) - parameters.gOutputSize.zw);
+    float _117 = _101 - _72;
+    vec2 _122 = vec2(_72 - _83, _83);
+    vec2 _123 = vec2(_117, _101);
+    bvec2 _124 = bvec2((_109.x ? abs(_83 - _72) : 131008.0) < (_111.x ? abs(_117) : 65504.0));
+    vec2 _125 = vec2(_124.x ? _122.x : _123.x, _124.y ? _122.y : _123.y);
+    float _131 = _108 - _72;
+    vec2 _136 = vec2(_72 - _94, _94);
+    vec2 _137 = vec2(_131, _108);
+    bvec2 _138 = bvec2((_109.y ? abs(_94 - _72) : 131008.0) < (_111.y ? abs(_131) : 65504.0));
+    vec2 _139 = vec2(_138.x ? _136.x : _137.x, _138.y ? _136.y : _137.y);
+    vec2 _151 = vec2(_125.x, _139.x) / ((parameters.gViewRay.xy * parameters.gOutputSize.zw) * vec2(_125.y, _139.y));
+    vec3 _159 = normalize(vec3(_151, (-1.0) - dot(_64 * parameters.gViewRay.xy + parameters.gViewRay.zw, _151)));
+    vec2 _160 = floor(gl_FragCoord.xy);
+    vec2 _162 = floor(_160 * 0.5);
+    vec2 _164 = _160 - (_162 * 2.0);
+    vec2 _168 = _162 - (floor(_162 * 0.5) * 2.0);
+    float _169 = _164.x;
+    float _170 = _164.y;
+    float _172 = abs(_169 - _170);
+    float _173 = _168.y;
+    float _178 = _168.x;
+    vec2 _190 = vec2((2.0 * abs(_178 - _173) + (8.0 * _172 + (4.0 * _170))) + _173, (2.0 * abs(abs(_173 - _170) - _178) + (4.0 * _169 + ((-8.0) * _172 + 8.0))) + _178) * vec2(0.0625);
+    float _192 = 6.283185482025146484375 * _190.x;
+    float _193 = cos(_192);
+    float _194 = sin(_192);
+    float _201 = 1.0 / max(parameters.gOcclusionBias.y * _72 + parameters.gOcclusionBias.x, 9.9999999747524270787835121154785e-07);
+    vec2 _202 = vec2(1.0) / parameters.gViewRay.xy;
+    vec3 _206 = vec3(_64 * _72, _72);
+    float _207 = _159.z;
+    float _209 = (_207 >= 0.0) ? 1.0 : (-1.0);
+    float _211 = (-1.0) / (_209 + _207);
+    float _212 = _159.x;
+    float _213 = _159.y;
+    float _215 = (_212 * _213) * _211;
+    vec3 _222 = vec3(((_209 * _212) * _212) * _211 + 1.0, _209 * _215, (-_209) * _212);
+    vec3 _226 = vec3(_215, (_213 * _213) * _211 + _209, -_213);
+    vec3 _232 = ((_222 * _193) + (_226 * _194)) * parameters.gRadius;
+    float _234 = _232.z;
+    vec3 _240 = vec3((_232.xy - (parameters.gViewRay.zw * _234)) * _202, _234);
+    vec3 _244 = ((_226 * _193) - (_222 * _194)) * parameters.gRadius;
+    float _246 = _244.z;
+    vec3 _252 = vec3((_244.xy - (parameters.gViewRay.zw * _246)) * _202, _246);
+    vec3 _253 = _159 * parameters.gRadius;
+    float _255 = _253.z;
+    vec3 _261 = vec3((_253.xy - (parameters.gViewRay.zw * _255)) * _202, _255);
+    float _273 = _190.y;
+    vec3 _278 = _206 + ((((_240 * parameters.gTaps[0].x) + (_252 * parameters.gTaps[0].y)) + (_261 * parameters.gTaps[0].z)) * sqrt(fract(parameters.gTaps[0].w + _273)));
+    float _279 = 1.0 / parameters.gRadius;
+    float _281 = _278.z;
+    vec2 _283 = _278.xy * (1.0 / _281);
+    vec4 _291 = textureLod(gInCoarseDepth, _283, 0.0);
+    float _292 = _291.x;
+    float _296 = _281 - ((_292 > 0.0) ? min(_292, 65504.0) : 65504.0);
+    vec2 _303 = vec2(clamp(_296 * _201 + (-1.0), 0.0, 1.0) * clamp((-_296) * _279 + 2.0, 0.0, 1.0), 1.0);
+    bvec2 _304 = bvec2((_281 > 0.0) && all(lessThanEqual(abs(_283 - vec2(0.5)), vec2(0.5))));
+    vec3 _321 = _206 + ((((_240 * parameters.gTaps[1].x) + (_252 * parameters.gTaps[1].y)) + (_261 * parameters.gTaps[1].z)) * sqrt(fract(parameters.gTaps[1].w + _273)));
+    float _323 = _321.z;
+    vec2 _325 = _321.xy * (1.0 / _323);
+    vec4 _333 = textureLod(gInCoarseDepth, _325, 0.0);
+    float _334 = _333.x;
+    float _338 = _323 - ((_334 > 0.0) ? min(_334, 65504.0) : 65504.0);
+    vec2 _345 = vec2(clamp(_338 * _201 + (-1.0), 0.0, 1.0) * clamp((-_338) * _279 + 2.0, 0.0, 1.0), 1.0);
+    bvec2 _346 = bvec2((_323 > 0.0) && all(lessThanEqual(abs(_325 - vec2(0.5)), vec2(0.5))));
+    vec3 _364 = _206 + ((((_240 * parameters.gTaps[2].x) + (_252 * parameters.gTaps[2].y)) + (_261 * parameters.gTaps[2].z)) * sqrt(fract(parameters.gTaps[2].w + _273)));
+    float _366 = _364.z;
+    vec2 _368 = _364.xy * (1.0 / _366);
+    vec4 _376 = textureLod(gInCoarseDepth, _368, 0.0);
+    float _377 = _376.x;
+    float _381 = _366 - ((_377 > 0.0) ? min(_377, 65504.0) : 65504.0);
+    vec2 _388 = vec2(clamp(_381 * _201 + (-1.0), 0.0, 1.0) * clamp((-_381) * _279 + 2.0, 0.0, 1.0), 1.0);
+    bvec2 _389 = bvec2((_366 > 0.0) && all(lessThanEqual(abs(_368 - vec2(0.5)), vec2(0.5))));
+    vec3 _407 = _206 + ((((_240 * parameters.gTaps[3].x) + (_252 * parameters.gTaps[3].y)) + (_261 * parameters.gTaps[3].z)) * sqrt(fract(parameters.gTaps[3].w + _273)));
+    float _409 = _407.z;
+    vec2 _411 = _407.xy * (1.0 / _409);
+    vec4 _419 = textureLod(gInCoarseDepth, _411, 0.0);
+    float _420 = _419.x;
+    float _424 = _409 - ((_420 > 0.0) ? min(_420, 65504.0) : 65504.0);
+    vec2 _431 = vec2(clamp(_424 * _201 + (-1.0), 0.0, 1.0) * clamp((-_424) * _279 + 2.0, 0.0, 1.0), 1.0);
+    bvec2 _432 = bvec2((_409 > 0.0) && all(lessThanEqual(abs(_411 - vec2(0.5)), vec2(0.5))));
+    vec2 _434 = ((vec2(_304.x ? _303.x : vec2(0.0).x, _304.y ? _303.y : vec2(0.0).y) + vec2(_346.x ? _345.x : vec2(0.0).x, _346.y ? _345.y : vec2(0.0).y)) + vec2(_389.x ? _388.x : vec2(0.0).x, _389.y ? _388.y : vec2(0.0).y)) + vec2(_432.x ? _431.x : vec2(0.0).x, _432.y ? _431.y : vec2(0.0).y);
+    gOutOcclusion = vec4((_72 < 65504.0) ? (1.0 - (_434.x / max(_434.y, 1.0))) : 1.0, _72, 0.0, 0.0);
+}
+

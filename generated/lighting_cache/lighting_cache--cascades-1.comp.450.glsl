@@ -1,0 +1,166 @@
+#version 450
+layout(local_size_x = 16, local_size_y = 16, local_size_z = 1) in;
+
+layout(binding = 0, std140) uniform LightingCacheParameters
+{
+    mat4 gViewToPreviousClip;
+    vec4 gOutputSize;
+    vec4 gViewRay;
+    vec4 gToShadowX;
+    vec4 gToShadowY;
+    vec4 gToShadowZ;
+    vec4 gCascadeScale1;
+    vec4 gCascadeOffset1;
+    vec4 gCascadeScale2;
+    vec4 gCascadeOffset2;
+    vec4 gCascadeScale3;
+    vec4 gCascadeOffset3;
+    vec4 gCascadeFar;
+    vec4 gCascadeSize;
+    vec3 gDisc;
+    float gFrameIndex;
+    vec3 gShadowBias;
+    float gSubsetCount;
+    vec2 gOcclusionBias;
+    vec2 gFrameToCoarse;
+    vec2 gMotionToUv;
+    vec2 gClipToDepth;
+    vec2 gMissThreshold;
+    vec2 gSpeedPx;
+    vec2 gChange;
+    float gRadius;
+    float gConvergenceTime;
+    float gMaxWeight;
+    float gHistoryValid;
+    vec4 gTaps[32];
+} parameters;
+
+layout(binding = 16) uniform writeonly image2D gOutCache;
+layout(binding = 17) uniform writeonly image2D gOutCacheState;
+layout(binding = 1) uniform sampler2D gInCoarseDepth;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
+layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+
+void main()
+{
+    do
+    {
+        vec2 _95 = min(vec2(gl_GlobalInvocationID.xy) + vec2(0.5), parameters.gOutputSize.xy - vec2(0.5));
+        vec2 _97 = _95 * parameters.gOutputSize.zw;
+        vec2 _101 = parameters.gOutputSize.zw * 0.5;
+        vec4 _104 = textureGather(gInCoarseDepth, fma(_95, parameters.gOutputSize.zw, -_101));
+        vec4 _107 = textureGather(gInCoarseDepth, fma(_95, parameters.gOutputSize.zw, _101));
+        float _108 = _104.y;
+        float _111 = (_108 > 0.0) ? min(_108, 65504.0) : 65504.0;
+        float _112 = _104.x;
+        float _115 = (_112 > 0.0) ? min(_112, 65504.0) : 65504.0;
+        float _116 = _104.z;
+        float _119 = (_116 > 0.0) ? min(_116, 65504.0) : 65504.0;
+        float _120 = _107.z;
+        float _123 = (_120 > 0.0) ? min(_120, 65504.0) : 65504.0;
+        float _124 = _107.x;
+        float _127 = (_124 > 0.0) ? min(_124, 65504.0) : 65504.0;
+        bvec2 _128 = greaterThan(_97, parameters.gOutputSize.zw);
+        bvec2 _130 = lessThan(_97, vec2(1.0) - parameters.gOutputSize.zw);
+        float _136 = _123 - _111;
+        vec2 _144 = mix(vec2(_136, _123), vec2(_111 - _115, _115), bvec2((_128.x ? abs(_115 - _111) : 131008.0) < (_130.x ? abs(_136) : 65504.0)));
+        float _150 = _127 - _111;
+        vec2 _158 = mix(vec2(_150, _127), vec2(_111 - _119, _119), bvec2((_128.y ? abs(_119 - _111) : 131008.0) < (_130.y ? abs(_150) : 65504.0)));
+        vec2 _170 = vec2(_144.x, _158.x) / ((parameters.gViewRay.xy * parameters.gOutputSize.zw) * vec2(_144.y, _158.y));
+        vec2 _172 = fma(_97, parameters.gViewRay.xy, parameters.gViewRay.zw);
+        vec3 _178 = normalize(vec3(_170, (-1.0) - dot(_172, _170)));
+        vec2 _179 = floor(_95);
+        vec2 _181 = floor(_179 * 0.5);
+        vec2 _183 = _179 - (_181 * 2.0);
+        vec2 _187 = _181 - (floor(_181 * 0.5) * 2.0);
+        float _188 = _183.x;
+        float _189 = _183.y;
+        float _191 = abs(_188 - _189);
+        float _192 = _187.y;
+        float _197 = _187.x;
+        vec2 _209 = vec2(fma(2.0, abs(_197 - _192), fma(8.0, _191, 4.0 * _189)) + _192, fma(2.0, abs(abs(_192 - _189) - _197), fma(4.0, _188, fma(-8.0, _191, 8.0))) + _197) * vec2(0.0625);
+        float _211 = 6.283185482025146484375 * _209.x;
+        float _212 = cos(_211);
+        float _213 = sin(_211);
+        float _220 = 1.0 / max(fma(parameters.gOcclusionBias.y, _111, parameters.gOcclusionBias.x), 9.9999999747524270787835121154785e-07);
+        vec2 _221 = vec2(1.0) / parameters.gViewRay.xy;
+        vec3 _225 = vec3(_97 * _111, _111);
+        float _226 = _178.z;
+        float _228 = (_226 >= 0.0) ? 1.0 : (-1.0);
+        float _230 = (-1.0) / (_228 + _226);
+        float _231 = _178.x;
+        float _232 = _178.y;
+        float _234 = (_231 * _232) * _230;
+        vec3 _241 = vec3(fma((_228 * _231) * _231, _230, 1.0), _228 * _234, (-_228) * _231);
+        vec3 _245 = vec3(_234, fma(_232 * _232, _230, _228), -_232);
+        vec3 _251 = ((_241 * _212) + (_245 * _213)) * parameters.gRadius;
+        float _253 = _251.z;
+        vec3 _259 = vec3((_251.xy - (parameters.gViewRay.zw * _253)) * _221, _253);
+        vec3 _263 = ((_245 * _212) - (_241 * _213)) * parameters.gRadius;
+        float _265 = _263.z;
+        vec3 _271 = vec3((_263.xy - (parameters.gViewRay.zw * _265)) * _221, _265);
+        vec3 _272 = _178 * parameters.gRadius;
+        float _274 = _272.z;
+        vec3 _280 = vec3((_272.xy - (parameters.gViewRay.zw * _274)) * _221, _274);
+        float _292 = _209.y;
+        vec3 _297 = _225 + ((((_259 * parameters.gTaps[0].x) + (_271 * parameters.gTaps[0].y)) + (_280 * parameters.gTaps[0].z)) * sqrt(fract(parameters.gTaps[0].w + _292)));
+        float _298 = 1.0 / parameters.gRadius;
+        float _300 = _297.z;
+        vec2 _302 = _297.xy * (1.0 / _300);
+        vec4 _310 = textureLod(gInCoarseDepth, _302, 0.0);
+        float _311 = _310.x;
+        float _315 = _300 - ((_311 > 0.0) ? min(_311, 65504.0) : 65504.0);
+        vec3 _340 = _225 + ((((_259 * parameters.gTaps[1].x) + (_271 * parameters.gTaps[1].y)) + (_280 * parameters.gTaps[1].z)) * sqrt(fract(parameters.gTaps[1].w + _292)));
+        float _342 = _340.z;
+        vec2 _344 = _340.xy * (1.0 / _342);
+        vec4 _352 = textureLod(gInCoarseDepth, _344, 0.0);
+        float _353 = _352.x;
+        float _357 = _342 - ((_353 > 0.0) ? min(_353, 65504.0) : 65504.0);
+        vec3 _383 = _225 + ((((_259 * parameters.gTaps[2].x) + (_271 * parameters.gTaps[2].y)) + (_280 * parameters.gTaps[2].z)) * sqrt(fract(parameters.gTaps[2].w + _292)));
+        float _385 = _383.z;
+        vec2 _387 = _383.xy * (1.0 / _385);
+        vec4 _395 = textureLod(gInCoarseDepth, _387, 0.0);
+        float _396 = _395.x;
+        float _400 = _385 - ((_396 > 0.0) ? min(_396, 65504.0) : 65504.0);
+        vec3 _426 = _225 + ((((_259 * parameters.gTaps[3].x) + (_271 * parameters.gTaps[3].y)) + (_280 * parameters.gTaps[3].z)) * sqrt(fract(parameters.gTaps[3].w + _292)));
+        float _428 = _426.z;
+        vec2 _430 = _426.xy * (1.0 / _428);
+        vec4 _438 = textureLod(gInCoarseDepth, _430, 0.0);
+        float _439 = _438.x;
+        float _443 = _428 - ((_439 > 0.0) ? min(_439, 65504.0) : 65504.0);
+        vec2 _453 = ((mix(vec2(0.0), vec2(clamp(fma(_315, _220, -1.0), 0.0, 1.0) * clamp(fma(-_315, _298, 2.0), 0.0, 1.0), 1.0), bvec2((_300 > 0.0) && all(lessThanEqual(abs(_302 - vec2(0.5)), vec2(0.5))))) + mix(vec2(0.0), vec2(clamp(fma(_357, _220, -1.0), 0.0, 1.0) * clamp(fma(-_357, _298, 2.0), 0.0, 1.0), 1.0), bvec2((_342 > 0.0) && all(lessThanEqual(abs(_344 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_400, _220, -1.0), 0.0, 1.0) * clamp(fma(-_400, _298, 2.0), 0.0, 1.0), 1.0), bvec2((_385 > 0.0) && all(lessThanEqual(abs(_387 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_443, _220, -1.0), 0.0, 1.0) * clamp(fma(-_443, _298, 2.0), 0.0, 1.0), 1.0), bvec2((_428 > 0.0) && all(lessThanEqual(abs(_430 - vec2(0.5)), vec2(0.5)))));
+        float _460 = (_111 < 65504.0) ? (1.0 - (_453.x / max(_453.y, 1.0))) : 1.0;
+        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
+        {
+            break;
+        }
+        vec4 _472 = parameters.gViewToPreviousClip * vec4(_172 * _111, _111, 1.0);
+        float _475 = _472.w;
+        vec2 _480 = fma(_472.xy * (1.0 / _475), vec2(0.5, -0.5), vec2(0.5));
+        vec2 _486 = mix(vec2(-8.0), _480, bvec2((_475 > 0.0) && all(lessThanEqual(abs(_480), vec2(8.0)))));
+        float _488 = dot(_472.zw, parameters.gClipToDepth);
+        vec2 _494 = _486 * parameters.gFrameToCoarse;
+        vec4 _498 = textureLod(gHistoryCacheStateFiltered, _494, 0.0);
+        vec4 _502 = textureLod(gHistoryCacheFiltered, _494, 0.0);
+        float _503 = _502.x;
+        float _505 = _498.x;
+        float _508 = (_505 > 0.0) ? min(_505, 255.0) : 0.0;
+        float _514 = max(fma(parameters.gMissThreshold.y, _111, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+        float _520 = _514 - abs(((abs(_488) <= 9.9999996802856924650656260769173e+37) ? _488 : 0.0) - _502.y);
+        float _523 = (_520 > 0.0) ? (_520 * (parameters.gConvergenceTime / _514)) : 0.0;
+        float _535 = abs(_503);
+        float _538 = ((parameters.gHistoryValid > 0.5) && (_535 <= 65504.0)) ? (((_523 > 0.0) && all(lessThanEqual(abs(fma(_486, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_523, 1.0) : 0.0) : 0.0;
+        float _550 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+        float _552 = parameters.gSpeedPx.y - abs(length(fma(_95, parameters.gOutputSize.zw, -_494) * parameters.gOutputSize.xy));
+        float _556 = ((_552 > 0.0) ? min(_552, _550) : 0.0) / _550;
+        float _559 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+        float _564 = _508 * _538;
+        float _567 = (_564 > 0.0) ? min(_564, 255.0) : 0.0;
+        float _571 = min(min(_567 / (_567 + 1.0), _559), ((_559 * _556) * _556) * fma(-2.0, _556, 3.0));
+        float _574 = (abs(_460) <= 9.9999996802856924650656260769173e+37) ? _460 : 0.0;
+        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_571 > 0.0) ? ((_535 <= 9.9999996802856924650656260769173e+37) ? fma(_503 - _574, clamp(_571, 0.0, 1.0), _574) : _574) : _460, _111, 0.0, 0.0));
+        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_508 > 0.0) ? min(_508, 255.0) : 0.0, (_538 > 0.0) ? min(_538, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+        break;
+    } while(false);
+}
+

@@ -1,0 +1,163 @@
+#version 450
+layout(local_size_x = 16, local_size_y = 16, local_size_z = 1) in;
+
+layout(binding = 0, std140) uniform LightingCacheParameters
+{
+    mat4 gViewToPreviousClip;
+    vec4 gOutputSize;
+    vec4 gViewRay;
+    vec4 gToShadowX;
+    vec4 gToShadowY;
+    vec4 gToShadowZ;
+    vec4 gCascadeScale1;
+    vec4 gCascadeOffset1;
+    vec4 gCascadeScale2;
+    vec4 gCascadeOffset2;
+    vec4 gCascadeScale3;
+    vec4 gCascadeOffset3;
+    vec4 gCascadeFar;
+    vec4 gCascadeSize;
+    vec3 gDisc;
+    float gFrameIndex;
+    vec3 gShadowBias;
+    float gSubsetCount;
+    vec2 gOcclusionBias;
+    vec2 gFrameToCoarse;
+    vec2 gMotionToUv;
+    vec2 gClipToDepth;
+    vec2 gMissThreshold;
+    vec2 gSpeedPx;
+    vec2 gChange;
+    float gRadius;
+    float gConvergenceTime;
+    float gMaxWeight;
+    float gHistoryValid;
+    vec4 gTaps[32];
+} parameters;
+
+layout(binding = 16) uniform writeonly image2D gOutCache;
+layout(binding = 17) uniform writeonly image2D gOutCacheState;
+layout(binding = 1) uniform sampler2D gInCoarseDepth;
+layout(binding = 8) uniform sampler2D gInShadowMap;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
+layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+
+void main()
+{
+    do
+    {
+        vec2 _126 = min(vec2(gl_GlobalInvocationID.xy) + vec2(0.5), parameters.gOutputSize.xy - vec2(0.5));
+        vec2 _128 = _126 * parameters.gOutputSize.zw;
+        vec2 _132 = parameters.gOutputSize.zw * 0.5;
+        vec4 _135 = textureGather(gInCoarseDepth, fma(_126, parameters.gOutputSize.zw, -_132));
+        vec4 _138 = textureGather(gInCoarseDepth, fma(_126, parameters.gOutputSize.zw, _132));
+        float _139 = _135.y;
+        float _142 = (_139 > 0.0) ? min(_139, 65504.0) : 65504.0;
+        float _143 = _135.x;
+        float _146 = (_143 > 0.0) ? min(_143, 65504.0) : 65504.0;
+        float _147 = _135.z;
+        float _150 = (_147 > 0.0) ? min(_147, 65504.0) : 65504.0;
+        float _151 = _138.z;
+        float _154 = (_151 > 0.0) ? min(_151, 65504.0) : 65504.0;
+        float _155 = _138.x;
+        float _158 = (_155 > 0.0) ? min(_155, 65504.0) : 65504.0;
+        vec3 _162 = vec3(_128 * _142, _142);
+        bvec2 _184 = greaterThan(_128, parameters.gOutputSize.zw);
+        bvec2 _186 = lessThan(_128, vec2(1.0) - parameters.gOutputSize.zw);
+        float _192 = _154 - _142;
+        vec2 _200 = mix(vec2(_192, _154), vec2(_142 - _146, _146), bvec2((_184.x ? abs(_146 - _142) : 131008.0) < (_186.x ? abs(_192) : 65504.0)));
+        float _206 = _158 - _142;
+        vec2 _214 = mix(vec2(_206, _158), vec2(_142 - _150, _150), bvec2((_184.y ? abs(_150 - _142) : 131008.0) < (_186.y ? abs(_206) : 65504.0)));
+        float _218 = _200.x;
+        vec3 _225 = vec3((_128 * _218) + (vec2(parameters.gOutputSize.z, 0.0) * _200.y), _218);
+        float _233 = _214.x;
+        vec3 _240 = vec3((_128 * _233) + (vec2(0.0, parameters.gOutputSize.w) * _214.y), _233);
+        vec3 _245 = cross(vec3(dot(parameters.gToShadowX.xyz, _225), dot(parameters.gToShadowY.xyz, _225), dot(parameters.gToShadowZ.xyz, _225)), vec3(dot(parameters.gToShadowX.xyz, _240), dot(parameters.gToShadowY.xyz, _240), dot(parameters.gToShadowZ.xyz, _240)));
+        float _246 = _245.z;
+        bool _270 = _142 > parameters.gCascadeFar.x;
+        bvec3 _271 = bvec3(_270);
+        bool _283 = _142 > parameters.gCascadeFar.y;
+        bvec3 _284 = bvec3(_283);
+        vec3 _285 = mix(mix(vec3(1.0), parameters.gCascadeScale1.xyz, _271), parameters.gCascadeScale2.xyz, _284);
+        float _288 = float(_270) + float(_283);
+        vec3 _289 = fma(vec3(dot(parameters.gToShadowX.xyz, _162), dot(parameters.gToShadowY.xyz, _162), dot(parameters.gToShadowZ.xyz, _162)) + vec3(parameters.gToShadowX.w, parameters.gToShadowY.w, parameters.gToShadowZ.w), _285, mix(mix(vec3(0.0), parameters.gCascadeOffset1.xyz, _271), parameters.gCascadeOffset2.xyz, _284));
+        float _290 = _285.z;
+        vec2 _291 = _285.xy;
+        vec2 _294 = clamp((-_245.xy) / vec2((abs(_246) > 9.9999996826552253889678874634872e-21) ? _246 : 9.9999996826552253889678874634872e-21), vec2(-parameters.gShadowBias.z), vec2(parameters.gShadowBias.z)) * (vec2(_290) / _291);
+        vec2 _302 = max(parameters.gDisc.xy * _291, vec2(parameters.gDisc.z));
+        vec2 _311 = parameters.gCascadeSize.xy - vec2(0.5);
+        vec2 _314 = floor(_126);
+        vec2 _316 = floor(_314 * 0.5);
+        vec2 _318 = _314 - (_316 * 2.0);
+        vec2 _322 = _316 - (floor(_316 * 0.5) * 2.0);
+        float _323 = _318.x;
+        float _324 = _318.y;
+        float _326 = abs(_323 - _324);
+        float _327 = _322.y;
+        float _332 = _322.x;
+        vec2 _344 = vec2(fma(2.0, abs(_332 - _327), fma(8.0, _326, 4.0 * _324)) + _327, fma(2.0, abs(abs(_327 - _324) - _332), fma(4.0, _323, fma(-8.0, _326, 8.0))) + _332) * vec2(0.0625);
+        float _349 = floor(parameters.gSubsetCount);
+        float _352 = (_349 > 1.0) ? min(_349, 16.0) : 1.0;
+        float _356 = floor((parameters.gFrameIndex > 0.0) ? min(parameters.gFrameIndex, 1048576.0) : 0.0);
+        vec2 _362 = vec2(0.019510664045810699462890625, 0.2793611586093902587890625) * fma(-_352, floor((_356 + 0.5) / _352), _356);
+        float _366 = 6.283185482025146484375 * (_362.x + _344.x);
+        float _367 = cos(_366);
+        float _368 = sin(_366);
+        float _371 = _362.y + _344.y;
+        vec2 _372 = fract(vec2(0.5));
+        float _374 = 6.283185482025146484375 * _372.x;
+        float _375 = cos(_374);
+        float _376 = sin(_374);
+        vec2 _392 = clamp(floor(fma(_302 * sqrt(fract(_372.y + _371)), vec2(fma(_375, _367, -(_376 * _368)), fma(_375, _368, _376 * _367)), _289.xy)) + vec2(0.5), vec2(0.5), _311);
+        float _409 = -fma(parameters.gShadowBias.y, _142, parameters.gShadowBias.x);
+        vec2 _413 = fract(vec2(1.25487768650054931640625, 1.06984031200408935546875));
+        float _415 = 6.283185482025146484375 * _413.x;
+        float _416 = cos(_415);
+        float _417 = sin(_415);
+        vec2 _432 = clamp(floor(fma(_302 * sqrt(fract(_413.y + _371)), vec2(fma(_416, _367, -(_417 * _368)), fma(_416, _368, _417 * _367)), _289.xy)) + vec2(0.5), vec2(0.5), _311);
+        vec2 _449 = fract(vec2(2.0097553730010986328125, 1.6396806240081787109375));
+        float _451 = 6.283185482025146484375 * _449.x;
+        float _452 = cos(_451);
+        float _453 = sin(_451);
+        vec2 _468 = clamp(floor(fma(_302 * sqrt(fract(_449.y + _371)), vec2(fma(_452, _367, -(_453 * _368)), fma(_452, _368, _453 * _367)), _289.xy)) + vec2(0.5), vec2(0.5), _311);
+        vec2 _485 = fract(vec2(2.7646331787109375, 2.209520816802978515625));
+        float _487 = 6.283185482025146484375 * _485.x;
+        float _488 = cos(_487);
+        float _489 = sin(_487);
+        vec2 _504 = clamp(floor(fma(_302 * sqrt(fract(_485.y + _371)), vec2(fma(_488, _367, -(_489 * _368)), fma(_488, _368, _489 * _367)), _289.xy)) + vec2(0.5), vec2(0.5), _311);
+        float _528 = -(((float(textureLod(gInShadowMap, vec2(fma(_288, parameters.gCascadeSize.x, _392.x), _392.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_409, _290, min(_289.z + dot(_294, _392 - _289.xy), 1.0))) + float(textureLod(gInShadowMap, vec2(fma(_288, parameters.gCascadeSize.x, _432.x), _432.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_409, _290, min(_289.z + dot(_294, _432 - _289.xy), 1.0)))) + float(textureLod(gInShadowMap, vec2(fma(_288, parameters.gCascadeSize.x, _468.x), _468.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_409, _290, min(_289.z + dot(_294, _468 - _289.xy), 1.0)))) + float(textureLod(gInShadowMap, vec2(fma(_288, parameters.gCascadeSize.x, _504.x), _504.y) * parameters.gCascadeSize.zw, 0.0).x < fma(_409, _290, min(_289.z + dot(_294, _504 - _289.xy), 1.0))));
+        float _532 = (_142 < 65504.0) ? ((all(lessThanEqual(abs((_289.xy / parameters.gCascadeSize.xy) - vec2(0.5)), vec2(0.5))) && (_142 <= parameters.gCascadeFar.z)) ? fma(_528, 0.25, 1.0) : 1.0) : 1.0;
+        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
+        {
+            break;
+        }
+        vec4 _549 = parameters.gViewToPreviousClip * vec4(fma(_128, parameters.gViewRay.xy, parameters.gViewRay.zw) * _142, _142, 1.0);
+        float _552 = _549.w;
+        vec2 _557 = fma(_549.xy * (1.0 / _552), vec2(0.5, -0.5), vec2(0.5));
+        vec2 _563 = mix(vec2(-8.0), _557, bvec2((_552 > 0.0) && all(lessThanEqual(abs(_557), vec2(8.0)))));
+        float _565 = dot(_549.zw, parameters.gClipToDepth);
+        vec2 _571 = _563 * parameters.gFrameToCoarse;
+        vec4 _575 = textureLod(gHistoryCacheStateFiltered, _571, 0.0);
+        vec4 _579 = textureLod(gHistoryCacheFiltered, _571, 0.0);
+        float _580 = _579.x;
+        float _582 = _575.x;
+        float _585 = (_582 > 0.0) ? min(_582, 255.0) : 0.0;
+        float _591 = max(fma(parameters.gMissThreshold.y, _142, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+        float _597 = _591 - abs(((abs(_565) <= 9.9999996802856924650656260769173e+37) ? _565 : 0.0) - _579.y);
+        float _600 = (_597 > 0.0) ? (_597 * (parameters.gConvergenceTime / _591)) : 0.0;
+        float _612 = abs(_580);
+        float _615 = ((parameters.gHistoryValid > 0.5) && (_612 <= 65504.0)) ? (((_600 > 0.0) && all(lessThanEqual(abs(fma(_563, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_600, 1.0) : 0.0) : 0.0;
+        float _627 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+        float _629 = parameters.gSpeedPx.y - abs(length(fma(_126, parameters.gOutputSize.zw, -_571) * parameters.gOutputSize.xy));
+        float _633 = ((_629 > 0.0) ? min(_629, _627) : 0.0) / _627;
+        float _636 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+        float _641 = _585 * _615;
+        float _644 = (_641 > 0.0) ? min(_641, 255.0) : 0.0;
+        float _648 = min(min(_644 / (_644 + 1.0), _636), ((_636 * _633) * _633) * fma(-2.0, _633, 3.0));
+        float _651 = (abs(_532) <= 9.9999996802856924650656260769173e+37) ? _532 : 0.0;
+        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_648 > 0.0) ? ((_612 <= 9.9999996802856924650656260769173e+37) ? fma(_580 - _651, clamp(_648, 0.0, 1.0), _651) : _651) : _532, _142, 0.0, 0.0));
+        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_585 > 0.0) ? min(_585, 255.0) : 0.0, (_615 > 0.0) ? min(_615, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+        break;
+    } while(false);
+}
+

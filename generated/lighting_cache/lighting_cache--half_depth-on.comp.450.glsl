@@ -1,0 +1,167 @@
+#version 450
+layout(local_size_x = 16, local_size_y = 16, local_size_z = 1) in;
+
+layout(binding = 0, std140) uniform LightingCacheParameters
+{
+    mat4 gViewToPreviousClip;
+    vec4 gOutputSize;
+    vec4 gViewRay;
+    vec4 gToShadowX;
+    vec4 gToShadowY;
+    vec4 gToShadowZ;
+    vec4 gCascadeScale1;
+    vec4 gCascadeOffset1;
+    vec4 gCascadeScale2;
+    vec4 gCascadeOffset2;
+    vec4 gCascadeScale3;
+    vec4 gCascadeOffset3;
+    vec4 gCascadeFar;
+    vec4 gCascadeSize;
+    vec3 gDisc;
+    float gFrameIndex;
+    vec3 gShadowBias;
+    float gSubsetCount;
+    vec2 gOcclusionBias;
+    vec2 gFrameToCoarse;
+    vec2 gMotionToUv;
+    vec2 gClipToDepth;
+    vec2 gMissThreshold;
+    vec2 gSpeedPx;
+    vec2 gChange;
+    float gRadius;
+    float gConvergenceTime;
+    float gMaxWeight;
+    float gHistoryValid;
+    vec4 gTaps[32];
+} parameters;
+
+layout(binding = 16) uniform writeonly image2D gOutCache;
+layout(binding = 17) uniform writeonly image2D gOutCacheState;
+layout(binding = 1) uniform sampler2D gInCoarseDepth;
+layout(binding = 9) uniform sampler2D gInHalfDepth;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
+layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+
+void main()
+{
+    do
+    {
+        vec2 _97 = min(vec2(gl_GlobalInvocationID.xy) + vec2(0.5), parameters.gOutputSize.xy - vec2(0.5));
+        vec2 _99 = _97 * parameters.gOutputSize.zw;
+        vec2 _103 = parameters.gOutputSize.zw * 0.5;
+        vec4 _106 = textureGather(gInCoarseDepth, fma(_97, parameters.gOutputSize.zw, -_103));
+        vec4 _109 = textureGather(gInCoarseDepth, fma(_97, parameters.gOutputSize.zw, _103));
+        float _110 = _106.y;
+        float _113 = (_110 > 0.0) ? min(_110, 65504.0) : 65504.0;
+        float _114 = _106.x;
+        float _117 = (_114 > 0.0) ? min(_114, 65504.0) : 65504.0;
+        float _118 = _106.z;
+        float _121 = (_118 > 0.0) ? min(_118, 65504.0) : 65504.0;
+        float _122 = _109.z;
+        float _125 = (_122 > 0.0) ? min(_122, 65504.0) : 65504.0;
+        float _126 = _109.x;
+        float _129 = (_126 > 0.0) ? min(_126, 65504.0) : 65504.0;
+        bvec2 _130 = greaterThan(_99, parameters.gOutputSize.zw);
+        bvec2 _132 = lessThan(_99, vec2(1.0) - parameters.gOutputSize.zw);
+        float _138 = _125 - _113;
+        vec2 _146 = mix(vec2(_138, _125), vec2(_113 - _117, _117), bvec2((_130.x ? abs(_117 - _113) : 131008.0) < (_132.x ? abs(_138) : 65504.0)));
+        float _152 = _129 - _113;
+        vec2 _160 = mix(vec2(_152, _129), vec2(_113 - _121, _121), bvec2((_130.y ? abs(_121 - _113) : 131008.0) < (_132.y ? abs(_152) : 65504.0)));
+        vec2 _172 = vec2(_146.x, _160.x) / ((parameters.gViewRay.xy * parameters.gOutputSize.zw) * vec2(_146.y, _160.y));
+        vec2 _174 = fma(_99, parameters.gViewRay.xy, parameters.gViewRay.zw);
+        vec3 _180 = normalize(vec3(_172, (-1.0) - dot(_174, _172)));
+        vec2 _181 = floor(_97);
+        vec2 _183 = floor(_181 * 0.5);
+        vec2 _185 = _181 - (_183 * 2.0);
+        vec2 _189 = _183 - (floor(_183 * 0.5) * 2.0);
+        float _190 = _185.x;
+        float _191 = _185.y;
+        float _193 = abs(_190 - _191);
+        float _194 = _189.y;
+        float _199 = _189.x;
+        vec2 _211 = vec2(fma(2.0, abs(_199 - _194), fma(8.0, _193, 4.0 * _191)) + _194, fma(2.0, abs(abs(_194 - _191) - _199), fma(4.0, _190, fma(-8.0, _193, 8.0))) + _199) * vec2(0.0625);
+        float _213 = 6.283185482025146484375 * _211.x;
+        float _214 = cos(_213);
+        float _215 = sin(_213);
+        float _222 = 1.0 / max(fma(parameters.gOcclusionBias.y, _113, parameters.gOcclusionBias.x), 9.9999999747524270787835121154785e-07);
+        vec2 _223 = vec2(1.0) / parameters.gViewRay.xy;
+        vec3 _227 = vec3(_99 * _113, _113);
+        float _228 = _180.z;
+        float _230 = (_228 >= 0.0) ? 1.0 : (-1.0);
+        float _232 = (-1.0) / (_230 + _228);
+        float _233 = _180.x;
+        float _234 = _180.y;
+        float _236 = (_233 * _234) * _232;
+        vec3 _243 = vec3(fma((_230 * _233) * _233, _232, 1.0), _230 * _236, (-_230) * _233);
+        vec3 _247 = vec3(_236, fma(_234 * _234, _232, _230), -_234);
+        vec3 _253 = ((_243 * _214) + (_247 * _215)) * parameters.gRadius;
+        float _255 = _253.z;
+        vec3 _261 = vec3((_253.xy - (parameters.gViewRay.zw * _255)) * _223, _255);
+        vec3 _265 = ((_247 * _214) - (_243 * _215)) * parameters.gRadius;
+        float _267 = _265.z;
+        vec3 _273 = vec3((_265.xy - (parameters.gViewRay.zw * _267)) * _223, _267);
+        vec3 _274 = _180 * parameters.gRadius;
+        float _276 = _274.z;
+        vec3 _282 = vec3((_274.xy - (parameters.gViewRay.zw * _276)) * _223, _276);
+        float _294 = _211.y;
+        vec3 _299 = _227 + ((((_261 * parameters.gTaps[0].x) + (_273 * parameters.gTaps[0].y)) + (_282 * parameters.gTaps[0].z)) * sqrt(fract(parameters.gTaps[0].w + _294)));
+        float _300 = 1.0 / parameters.gRadius;
+        float _302 = _299.z;
+        vec2 _304 = _299.xy * (1.0 / _302);
+        vec4 _314 = textureLod(gInHalfDepth, _304, 0.0);
+        float _315 = _314.x;
+        float _319 = _302 - ((_315 > 0.0) ? min(_315, 65504.0) : 65504.0);
+        vec3 _344 = _227 + ((((_261 * parameters.gTaps[1].x) + (_273 * parameters.gTaps[1].y)) + (_282 * parameters.gTaps[1].z)) * sqrt(fract(parameters.gTaps[1].w + _294)));
+        float _346 = _344.z;
+        vec2 _348 = _344.xy * (1.0 / _346);
+        vec4 _356 = textureLod(gInHalfDepth, _348, 0.0);
+        float _357 = _356.x;
+        float _361 = _346 - ((_357 > 0.0) ? min(_357, 65504.0) : 65504.0);
+        vec3 _387 = _227 + ((((_261 * parameters.gTaps[2].x) + (_273 * parameters.gTaps[2].y)) + (_282 * parameters.gTaps[2].z)) * sqrt(fract(parameters.gTaps[2].w + _294)));
+        float _389 = _387.z;
+        vec2 _391 = _387.xy * (1.0 / _389);
+        vec4 _399 = textureLod(gInHalfDepth, _391, 0.0);
+        float _400 = _399.x;
+        float _404 = _389 - ((_400 > 0.0) ? min(_400, 65504.0) : 65504.0);
+        vec3 _430 = _227 + ((((_261 * parameters.gTaps[3].x) + (_273 * parameters.gTaps[3].y)) + (_282 * parameters.gTaps[3].z)) * sqrt(fract(parameters.gTaps[3].w + _294)));
+        float _432 = _430.z;
+        vec2 _434 = _430.xy * (1.0 / _432);
+        vec4 _442 = textureLod(gInHalfDepth, _434, 0.0);
+        float _443 = _442.x;
+        float _447 = _432 - ((_443 > 0.0) ? min(_443, 65504.0) : 65504.0);
+        vec2 _457 = ((mix(vec2(0.0), vec2(clamp(fma(_319, _222, -1.0), 0.0, 1.0) * clamp(fma(-_319, _300, 2.0), 0.0, 1.0), 1.0), bvec2((_302 > 0.0) && all(lessThanEqual(abs(_304 - vec2(0.5)), vec2(0.5))))) + mix(vec2(0.0), vec2(clamp(fma(_361, _222, -1.0), 0.0, 1.0) * clamp(fma(-_361, _300, 2.0), 0.0, 1.0), 1.0), bvec2((_346 > 0.0) && all(lessThanEqual(abs(_348 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_404, _222, -1.0), 0.0, 1.0) * clamp(fma(-_404, _300, 2.0), 0.0, 1.0), 1.0), bvec2((_389 > 0.0) && all(lessThanEqual(abs(_391 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_447, _222, -1.0), 0.0, 1.0) * clamp(fma(-_447, _300, 2.0), 0.0, 1.0), 1.0), bvec2((_432 > 0.0) && all(lessThanEqual(abs(_434 - vec2(0.5)), vec2(0.5)))));
+        float _464 = (_113 < 65504.0) ? (1.0 - (_457.x / max(_457.y, 1.0))) : 1.0;
+        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
+        {
+            break;
+        }
+        vec4 _476 = parameters.gViewToPreviousClip * vec4(_174 * _113, _113, 1.0);
+        float _479 = _476.w;
+        vec2 _484 = fma(_476.xy * (1.0 / _479), vec2(0.5, -0.5), vec2(0.5));
+        vec2 _490 = mix(vec2(-8.0), _484, bvec2((_479 > 0.0) && all(lessThanEqual(abs(_484), vec2(8.0)))));
+        float _492 = dot(_476.zw, parameters.gClipToDepth);
+        vec2 _498 = _490 * parameters.gFrameToCoarse;
+        vec4 _502 = textureLod(gHistoryCacheStateFiltered, _498, 0.0);
+        vec4 _506 = textureLod(gHistoryCacheFiltered, _498, 0.0);
+        float _507 = _506.x;
+        float _509 = _502.x;
+        float _512 = (_509 > 0.0) ? min(_509, 255.0) : 0.0;
+        float _518 = max(fma(parameters.gMissThreshold.y, _113, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+        float _524 = _518 - abs(((abs(_492) <= 9.9999996802856924650656260769173e+37) ? _492 : 0.0) - _506.y);
+        float _527 = (_524 > 0.0) ? (_524 * (parameters.gConvergenceTime / _518)) : 0.0;
+        float _539 = abs(_507);
+        float _542 = ((parameters.gHistoryValid > 0.5) && (_539 <= 65504.0)) ? (((_527 > 0.0) && all(lessThanEqual(abs(fma(_490, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_527, 1.0) : 0.0) : 0.0;
+        float _554 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+        float _556 = parameters.gSpeedPx.y - abs(length(fma(_97, parameters.gOutputSize.zw, -_498) * parameters.gOutputSize.xy));
+        float _560 = ((_556 > 0.0) ? min(_556, _554) : 0.0) / _554;
+        float _563 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+        float _568 = _512 * _542;
+        float _571 = (_568 > 0.0) ? min(_568, 255.0) : 0.0;
+        float _575 = min(min(_571 / (_571 + 1.0), _563), ((_563 * _560) * _560) * fma(-2.0, _560, 3.0));
+        float _578 = (abs(_464) <= 9.9999996802856924650656260769173e+37) ? _464 : 0.0;
+        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_575 > 0.0) ? ((_539 <= 9.9999996802856924650656260769173e+37) ? fma(_507 - _578, clamp(_575, 0.0, 1.0), _578) : _578) : _464, _113, 0.0, 0.0));
+        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_512 > 0.0) ? min(_512, 255.0) : 0.0, (_542 > 0.0) ? min(_542, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+        break;
+    } while(false);
+}
+

@@ -1,0 +1,167 @@
+#version 450
+layout(local_size_x = 16, local_size_y = 16, local_size_z = 1) in;
+
+layout(binding = 0, std140) uniform LightingCacheParameters
+{
+    mat4 gViewToPreviousClip;
+    vec4 gOutputSize;
+    vec4 gViewRay;
+    vec4 gToShadowX;
+    vec4 gToShadowY;
+    vec4 gToShadowZ;
+    vec4 gCascadeScale1;
+    vec4 gCascadeOffset1;
+    vec4 gCascadeScale2;
+    vec4 gCascadeOffset2;
+    vec4 gCascadeScale3;
+    vec4 gCascadeOffset3;
+    vec4 gCascadeFar;
+    vec4 gCascadeSize;
+    vec3 gDisc;
+    float gFrameIndex;
+    vec3 gShadowBias;
+    float gSubsetCount;
+    vec2 gOcclusionBias;
+    vec2 gFrameToCoarse;
+    vec2 gMotionToUv;
+    vec2 gClipToDepth;
+    vec2 gMissThreshold;
+    vec2 gSpeedPx;
+    vec2 gChange;
+    float gRadius;
+    float gConvergenceTime;
+    float gMaxWeight;
+    float gHistoryValid;
+    vec4 gTaps[32];
+} parameters;
+
+layout(binding = 16) uniform writeonly image2D gOutCache;
+layout(binding = 17) uniform writeonly image2D gOutCacheState;
+layout(binding = 1) uniform sampler2D gInCoarseDepth;
+layout(binding = 2) uniform sampler2D gInVelocity;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
+layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+
+void main()
+{
+    do
+    {
+        vec2 _98 = min(vec2(gl_GlobalInvocationID.xy) + vec2(0.5), parameters.gOutputSize.xy - vec2(0.5));
+        vec2 _100 = _98 * parameters.gOutputSize.zw;
+        vec2 _104 = parameters.gOutputSize.zw * 0.5;
+        vec4 _107 = textureGather(gInCoarseDepth, fma(_98, parameters.gOutputSize.zw, -_104));
+        vec4 _110 = textureGather(gInCoarseDepth, fma(_98, parameters.gOutputSize.zw, _104));
+        float _111 = _107.y;
+        float _114 = (_111 > 0.0) ? min(_111, 65504.0) : 65504.0;
+        float _115 = _107.x;
+        float _118 = (_115 > 0.0) ? min(_115, 65504.0) : 65504.0;
+        float _119 = _107.z;
+        float _122 = (_119 > 0.0) ? min(_119, 65504.0) : 65504.0;
+        float _123 = _110.z;
+        float _126 = (_123 > 0.0) ? min(_123, 65504.0) : 65504.0;
+        float _127 = _110.x;
+        float _130 = (_127 > 0.0) ? min(_127, 65504.0) : 65504.0;
+        bvec2 _131 = greaterThan(_100, parameters.gOutputSize.zw);
+        bvec2 _133 = lessThan(_100, vec2(1.0) - parameters.gOutputSize.zw);
+        float _139 = _126 - _114;
+        vec2 _147 = mix(vec2(_139, _126), vec2(_114 - _118, _118), bvec2((_131.x ? abs(_118 - _114) : 131008.0) < (_133.x ? abs(_139) : 65504.0)));
+        float _153 = _130 - _114;
+        vec2 _161 = mix(vec2(_153, _130), vec2(_114 - _122, _122), bvec2((_131.y ? abs(_122 - _114) : 131008.0) < (_133.y ? abs(_153) : 65504.0)));
+        vec2 _173 = vec2(_147.x, _161.x) / ((parameters.gViewRay.xy * parameters.gOutputSize.zw) * vec2(_147.y, _161.y));
+        vec2 _175 = fma(_100, parameters.gViewRay.xy, parameters.gViewRay.zw);
+        vec3 _181 = normalize(vec3(_173, (-1.0) - dot(_175, _173)));
+        vec2 _182 = floor(_98);
+        vec2 _184 = floor(_182 * 0.5);
+        vec2 _186 = _182 - (_184 * 2.0);
+        vec2 _190 = _184 - (floor(_184 * 0.5) * 2.0);
+        float _191 = _186.x;
+        float _192 = _186.y;
+        float _194 = abs(_191 - _192);
+        float _195 = _190.y;
+        float _200 = _190.x;
+        vec2 _212 = vec2(fma(2.0, abs(_200 - _195), fma(8.0, _194, 4.0 * _192)) + _195, fma(2.0, abs(abs(_195 - _192) - _200), fma(4.0, _191, fma(-8.0, _194, 8.0))) + _200) * vec2(0.0625);
+        float _214 = 6.283185482025146484375 * _212.x;
+        float _215 = cos(_214);
+        float _216 = sin(_214);
+        float _223 = 1.0 / max(fma(parameters.gOcclusionBias.y, _114, parameters.gOcclusionBias.x), 9.9999999747524270787835121154785e-07);
+        vec2 _224 = vec2(1.0) / parameters.gViewRay.xy;
+        vec3 _228 = vec3(_100 * _114, _114);
+        float _229 = _181.z;
+        float _231 = (_229 >= 0.0) ? 1.0 : (-1.0);
+        float _233 = (-1.0) / (_231 + _229);
+        float _234 = _181.x;
+        float _235 = _181.y;
+        float _237 = (_234 * _235) * _233;
+        vec3 _244 = vec3(fma((_231 * _234) * _234, _233, 1.0), _231 * _237, (-_231) * _234);
+        vec3 _248 = vec3(_237, fma(_235 * _235, _233, _231), -_235);
+        vec3 _254 = ((_244 * _215) + (_248 * _216)) * parameters.gRadius;
+        float _256 = _254.z;
+        vec3 _262 = vec3((_254.xy - (parameters.gViewRay.zw * _256)) * _224, _256);
+        vec3 _266 = ((_248 * _215) - (_244 * _216)) * parameters.gRadius;
+        float _268 = _266.z;
+        vec3 _274 = vec3((_266.xy - (parameters.gViewRay.zw * _268)) * _224, _268);
+        vec3 _275 = _181 * parameters.gRadius;
+        float _277 = _275.z;
+        vec3 _283 = vec3((_275.xy - (parameters.gViewRay.zw * _277)) * _224, _277);
+        float _295 = _212.y;
+        vec3 _300 = _228 + ((((_262 * parameters.gTaps[0].x) + (_274 * parameters.gTaps[0].y)) + (_283 * parameters.gTaps[0].z)) * sqrt(fract(parameters.gTaps[0].w + _295)));
+        float _301 = 1.0 / parameters.gRadius;
+        float _303 = _300.z;
+        vec2 _305 = _300.xy * (1.0 / _303);
+        vec4 _313 = textureLod(gInCoarseDepth, _305, 0.0);
+        float _314 = _313.x;
+        float _318 = _303 - ((_314 > 0.0) ? min(_314, 65504.0) : 65504.0);
+        vec3 _343 = _228 + ((((_262 * parameters.gTaps[1].x) + (_274 * parameters.gTaps[1].y)) + (_283 * parameters.gTaps[1].z)) * sqrt(fract(parameters.gTaps[1].w + _295)));
+        float _345 = _343.z;
+        vec2 _347 = _343.xy * (1.0 / _345);
+        vec4 _355 = textureLod(gInCoarseDepth, _347, 0.0);
+        float _356 = _355.x;
+        float _360 = _345 - ((_356 > 0.0) ? min(_356, 65504.0) : 65504.0);
+        vec3 _386 = _228 + ((((_262 * parameters.gTaps[2].x) + (_274 * parameters.gTaps[2].y)) + (_283 * parameters.gTaps[2].z)) * sqrt(fract(parameters.gTaps[2].w + _295)));
+        float _388 = _386.z;
+        vec2 _390 = _386.xy * (1.0 / _388);
+        vec4 _398 = textureLod(gInCoarseDepth, _390, 0.0);
+        float _399 = _398.x;
+        float _403 = _388 - ((_399 > 0.0) ? min(_399, 65504.0) : 65504.0);
+        vec3 _429 = _228 + ((((_262 * parameters.gTaps[3].x) + (_274 * parameters.gTaps[3].y)) + (_283 * parameters.gTaps[3].z)) * sqrt(fract(parameters.gTaps[3].w + _295)));
+        float _431 = _429.z;
+        vec2 _433 = _429.xy * (1.0 / _431);
+        vec4 _441 = textureLod(gInCoarseDepth, _433, 0.0);
+        float _442 = _441.x;
+        float _446 = _431 - ((_442 > 0.0) ? min(_442, 65504.0) : 65504.0);
+        vec2 _456 = ((mix(vec2(0.0), vec2(clamp(fma(_318, _223, -1.0), 0.0, 1.0) * clamp(fma(-_318, _301, 2.0), 0.0, 1.0), 1.0), bvec2((_303 > 0.0) && all(lessThanEqual(abs(_305 - vec2(0.5)), vec2(0.5))))) + mix(vec2(0.0), vec2(clamp(fma(_360, _223, -1.0), 0.0, 1.0) * clamp(fma(-_360, _301, 2.0), 0.0, 1.0), 1.0), bvec2((_345 > 0.0) && all(lessThanEqual(abs(_347 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_403, _223, -1.0), 0.0, 1.0) * clamp(fma(-_403, _301, 2.0), 0.0, 1.0), 1.0), bvec2((_388 > 0.0) && all(lessThanEqual(abs(_390 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_446, _223, -1.0), 0.0, 1.0) * clamp(fma(-_446, _301, 2.0), 0.0, 1.0), 1.0), bvec2((_431 > 0.0) && all(lessThanEqual(abs(_433 - vec2(0.5)), vec2(0.5)))));
+        float _463 = (_114 < 65504.0) ? (1.0 - (_456.x / max(_456.y, 1.0))) : 1.0;
+        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
+        {
+            break;
+        }
+        vec2 _471 = _100 / parameters.gFrameToCoarse;
+        float _482 = dot((parameters.gViewToPreviousClip * vec4(_175 * _114, _114, 1.0)).zw, parameters.gClipToDepth);
+        float _485 = (abs(_482) <= 9.9999996802856924650656260769173e+37) ? _482 : 0.0;
+        vec2 _497 = fma(-textureLod(gInVelocity, _471 - ((parameters.gOutputSize.zw * 0.125) / parameters.gFrameToCoarse), 0.0).xy, parameters.gMotionToUv, _471);
+        vec2 _502 = mix(vec2(-8.0), _497, bvec2(all(lessThanEqual(abs(_497), vec2(8.0)))));
+        vec2 _506 = _502 * parameters.gFrameToCoarse;
+        vec4 _510 = textureLod(gHistoryCacheStateFiltered, _506, 0.0);
+        vec4 _514 = textureLod(gHistoryCacheFiltered, _506, 0.0);
+        float _515 = _514.x;
+        float _517 = _510.x;
+        float _520 = (_517 > 0.0) ? min(_517, 255.0) : 0.0;
+        float _526 = max(fma(parameters.gMissThreshold.y, _114, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+        float _532 = _526 - abs(((abs(_485) <= 9.9999996802856924650656260769173e+37) ? _485 : 0.0) - _514.y);
+        float _535 = (_532 > 0.0) ? (_532 * (parameters.gConvergenceTime / _526)) : 0.0;
+        float _547 = abs(_515);
+        float _550 = ((parameters.gHistoryValid > 0.5) && (_547 <= 65504.0)) ? (((_535 > 0.0) && all(lessThanEqual(abs(fma(_502, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_535, 1.0) : 0.0) : 0.0;
+        float _562 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+        float _564 = parameters.gSpeedPx.y - abs(length(fma(_98, parameters.gOutputSize.zw, -_506) * parameters.gOutputSize.xy));
+        float _568 = ((_564 > 0.0) ? min(_564, _562) : 0.0) / _562;
+        float _571 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+        float _576 = _520 * _550;
+        float _579 = (_576 > 0.0) ? min(_576, 255.0) : 0.0;
+        float _583 = min(min(_579 / (_579 + 1.0), _571), ((_571 * _568) * _568) * fma(-2.0, _568, 3.0));
+        float _586 = (abs(_463) <= 9.9999996802856924650656260769173e+37) ? _463 : 0.0;
+        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_583 > 0.0) ? ((_547 <= 9.9999996802856924650656260769173e+37) ? fma(_515 - _586, clamp(_583, 0.0, 1.0), _586) : _586) : _463, _114, 0.0, 0.0));
+        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_520 > 0.0) ? min(_520, 255.0) : 0.0, (_550 > 0.0) ? min(_550, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+        break;
+    } while(false);
+}
+

@@ -1,0 +1,165 @@
+#version 450
+layout(local_size_x = 16, local_size_y = 16, local_size_z = 1) in;
+
+layout(binding = 0, std140) uniform LightingCacheParameters
+{
+    mat4 gViewToPreviousClip;
+    vec4 gOutputSize;
+    vec4 gViewRay;
+    vec4 gToShadowX;
+    vec4 gToShadowY;
+    vec4 gToShadowZ;
+    vec4 gCascadeScale1;
+    vec4 gCascadeOffset1;
+    vec4 gCascadeScale2;
+    vec4 gCascadeOffset2;
+    vec4 gCascadeScale3;
+    vec4 gCascadeOffset3;
+    vec4 gCascadeFar;
+    vec4 gCascadeSize;
+    vec3 gDisc;
+    float gFrameIndex;
+    vec3 gShadowBias;
+    float gSubsetCount;
+    vec2 gOcclusionBias;
+    vec2 gFrameToCoarse;
+    vec2 gMotionToUv;
+    vec2 gClipToDepth;
+    vec2 gMissThreshold;
+    vec2 gSpeedPx;
+    vec2 gChange;
+    float gRadius;
+    float gConvergenceTime;
+    float gMaxWeight;
+    float gHistoryValid;
+    vec4 gTaps[32];
+} parameters;
+
+layout(binding = 16) uniform writeonly image2D gOutCache;
+layout(binding = 17) uniform writeonly image2D gOutCacheState;
+layout(binding = 1) uniform sampler2D gInCoarseDepth;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
+layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+
+void main()
+{
+    do
+    {
+        vec2 _97 = min(vec2(gl_GlobalInvocationID.xy) + vec2(0.5), parameters.gOutputSize.xy - vec2(0.5));
+        vec2 _99 = _97 * parameters.gOutputSize.zw;
+        vec2 _103 = parameters.gOutputSize.zw * 0.5;
+        vec4 _106 = textureGather(gInCoarseDepth, fma(_97, parameters.gOutputSize.zw, -_103));
+        vec4 _109 = textureGather(gInCoarseDepth, fma(_97, parameters.gOutputSize.zw, _103));
+        float _110 = _106.y;
+        float _113 = (_110 > 0.0) ? min(_110, 65504.0) : 65504.0;
+        float _114 = _106.x;
+        float _117 = (_114 > 0.0) ? min(_114, 65504.0) : 65504.0;
+        float _118 = _106.z;
+        float _121 = (_118 > 0.0) ? min(_118, 65504.0) : 65504.0;
+        float _122 = _109.z;
+        float _125 = (_122 > 0.0) ? min(_122, 65504.0) : 65504.0;
+        float _126 = _109.x;
+        float _129 = (_126 > 0.0) ? min(_126, 65504.0) : 65504.0;
+        bvec2 _130 = greaterThan(_99, parameters.gOutputSize.zw);
+        bvec2 _132 = lessThan(_99, vec2(1.0) - parameters.gOutputSize.zw);
+        float _138 = _125 - _113;
+        vec2 _146 = mix(vec2(_138, _125), vec2(_113 - _117, _117), bvec2((_130.x ? abs(_117 - _113) : 131008.0) < (_132.x ? abs(_138) : 65504.0)));
+        float _152 = _129 - _113;
+        vec2 _160 = mix(vec2(_152, _129), vec2(_113 - _121, _121), bvec2((_130.y ? abs(_121 - _113) : 131008.0) < (_132.y ? abs(_152) : 65504.0)));
+        vec2 _172 = vec2(_146.x, _160.x) / ((parameters.gViewRay.xy * parameters.gOutputSize.zw) * vec2(_146.y, _160.y));
+        vec2 _174 = fma(_99, parameters.gViewRay.xy, parameters.gViewRay.zw);
+        vec3 _180 = normalize(vec3(_172, (-1.0) - dot(_174, _172)));
+        vec2 _181 = floor(_97);
+        vec2 _183 = floor(_181 * 0.5);
+        vec2 _185 = _181 - (_183 * 2.0);
+        vec2 _189 = _183 - (floor(_183 * 0.5) * 2.0);
+        float _190 = _185.x;
+        float _191 = _185.y;
+        float _193 = abs(_190 - _191);
+        float _194 = _189.y;
+        float _199 = _189.x;
+        vec2 _211 = vec2(fma(2.0, abs(_199 - _194), fma(8.0, _193, 4.0 * _191)) + _194, fma(2.0, abs(abs(_194 - _191) - _199), fma(4.0, _190, fma(-8.0, _193, 8.0))) + _199) * vec2(0.0625);
+        float _213 = 6.283185482025146484375 * _211.x;
+        float _214 = cos(_213);
+        float _215 = sin(_213);
+        float _222 = 1.0 / max(fma(parameters.gOcclusionBias.y, _113, parameters.gOcclusionBias.x), 9.9999999747524270787835121154785e-07);
+        vec2 _223 = vec2(1.0) / parameters.gViewRay.xy;
+        vec3 _227 = vec3(_99 * _113, _113);
+        float _228 = _180.z;
+        float _230 = (_228 >= 0.0) ? 1.0 : (-1.0);
+        float _232 = (-1.0) / (_230 + _228);
+        float _233 = _180.x;
+        float _234 = _180.y;
+        float _236 = (_233 * _234) * _232;
+        vec3 _243 = vec3(fma((_230 * _233) * _233, _232, 1.0), _230 * _236, (-_230) * _233);
+        vec3 _247 = vec3(_236, fma(_234 * _234, _232, _230), -_234);
+        vec3 _253 = ((_243 * _214) + (_247 * _215)) * parameters.gRadius;
+        float _255 = _253.z;
+        vec3 _261 = vec3((_253.xy - (parameters.gViewRay.zw * _255)) * _223, _255);
+        vec3 _265 = ((_247 * _214) - (_243 * _215)) * parameters.gRadius;
+        float _267 = _265.z;
+        vec3 _273 = vec3((_265.xy - (parameters.gViewRay.zw * _267)) * _223, _267);
+        vec3 _274 = _180 * parameters.gRadius;
+        float _276 = _274.z;
+        vec3 _282 = vec3((_274.xy - (parameters.gViewRay.zw * _276)) * _223, _276);
+        float _294 = _211.y;
+        vec3 _299 = _227 + ((((_261 * parameters.gTaps[0].x) + (_273 * parameters.gTaps[0].y)) + (_282 * parameters.gTaps[0].z)) * sqrt(fract(parameters.gTaps[0].w + _294)));
+        float _300 = 1.0 / parameters.gRadius;
+        float _302 = _299.z;
+        vec2 _304 = _299.xy * (1.0 / _302);
+        vec4 _312 = textureLod(gInCoarseDepth, _304, 0.0);
+        float _313 = _312.x;
+        float _317 = _302 - ((_313 > 0.0) ? min(_313, 65504.0) : 65504.0);
+        vec3 _342 = _227 + ((((_261 * parameters.gTaps[1].x) + (_273 * parameters.gTaps[1].y)) + (_282 * parameters.gTaps[1].z)) * sqrt(fract(parameters.gTaps[1].w + _294)));
+        float _344 = _342.z;
+        vec2 _346 = _342.xy * (1.0 / _344);
+        vec4 _354 = textureLod(gInCoarseDepth, _346, 0.0);
+        float _355 = _354.x;
+        float _359 = _344 - ((_355 > 0.0) ? min(_355, 65504.0) : 65504.0);
+        vec3 _385 = _227 + ((((_261 * parameters.gTaps[2].x) + (_273 * parameters.gTaps[2].y)) + (_282 * parameters.gTaps[2].z)) * sqrt(fract(parameters.gTaps[2].w + _294)));
+        float _387 = _385.z;
+        vec2 _389 = _385.xy * (1.0 / _387);
+        vec4 _397 = textureLod(gInCoarseDepth, _389, 0.0);
+        float _398 = _397.x;
+        float _402 = _387 - ((_398 > 0.0) ? min(_398, 65504.0) : 65504.0);
+        vec3 _428 = _227 + ((((_261 * parameters.gTaps[3].x) + (_273 * parameters.gTaps[3].y)) + (_282 * parameters.gTaps[3].z)) * sqrt(fract(parameters.gTaps[3].w + _294)));
+        float _430 = _428.z;
+        vec2 _432 = _428.xy * (1.0 / _430);
+        vec4 _440 = textureLod(gInCoarseDepth, _432, 0.0);
+        float _441 = _440.x;
+        float _445 = _430 - ((_441 > 0.0) ? min(_441, 65504.0) : 65504.0);
+        vec2 _455 = ((mix(vec2(0.0), vec2(clamp(fma(_317, _222, -1.0), 0.0, 1.0) * clamp(fma(-_317, _300, 2.0), 0.0, 1.0), 1.0), bvec2((_302 > 0.0) && all(lessThanEqual(abs(_304 - vec2(0.5)), vec2(0.5))))) + mix(vec2(0.0), vec2(clamp(fma(_359, _222, -1.0), 0.0, 1.0) * clamp(fma(-_359, _300, 2.0), 0.0, 1.0), 1.0), bvec2((_344 > 0.0) && all(lessThanEqual(abs(_346 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_402, _222, -1.0), 0.0, 1.0) * clamp(fma(-_402, _300, 2.0), 0.0, 1.0), 1.0), bvec2((_387 > 0.0) && all(lessThanEqual(abs(_389 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_445, _222, -1.0), 0.0, 1.0) * clamp(fma(-_445, _300, 2.0), 0.0, 1.0), 1.0), bvec2((_430 > 0.0) && all(lessThanEqual(abs(_432 - vec2(0.5)), vec2(0.5)))));
+        vec2 _463 = vec2((_113 < 65504.0) ? (1.0 - (_455.x / max(_455.y, 1.0))) : 1.0, 1.0);
+        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
+        {
+            break;
+        }
+        vec4 _475 = parameters.gViewToPreviousClip * vec4(_174 * _113, _113, 1.0);
+        float _478 = _475.w;
+        vec2 _483 = fma(_475.xy * (1.0 / _478), vec2(0.5, -0.5), vec2(0.5));
+        vec2 _489 = mix(vec2(-8.0), _483, bvec2((_478 > 0.0) && all(lessThanEqual(abs(_483), vec2(8.0)))));
+        float _491 = dot(_475.zw, parameters.gClipToDepth);
+        vec2 _497 = _489 * parameters.gFrameToCoarse;
+        vec4 _501 = textureLod(gHistoryCacheStateFiltered, _497, 0.0);
+        vec2 _506 = textureLod(gHistoryCacheFiltered, _497, 0.0).xy;
+        float _508 = _501.x;
+        float _511 = (_508 > 0.0) ? min(_508, 255.0) : 0.0;
+        float _517 = max(fma(parameters.gMissThreshold.y, _113, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+        float _523 = _517 - abs(((abs(_491) <= 9.9999996802856924650656260769173e+37) ? _491 : 0.0) - _501.y);
+        float _526 = (_523 > 0.0) ? (_523 * (parameters.gConvergenceTime / _517)) : 0.0;
+        vec2 _538 = abs(_506);
+        float _542 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(_538, vec2(65504.0)))) ? (((_526 > 0.0) && all(lessThanEqual(abs(fma(_489, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_526, 1.0) : 0.0) : 0.0;
+        float _554 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+        float _556 = parameters.gSpeedPx.y - abs(length(fma(_97, parameters.gOutputSize.zw, -_497) * parameters.gOutputSize.xy));
+        float _560 = ((_556 > 0.0) ? min(_556, _554) : 0.0) / _554;
+        float _563 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+        float _568 = _511 * _542;
+        float _571 = (_568 > 0.0) ? min(_568, 255.0) : 0.0;
+        float _575 = min(min(_571 / (_571 + 1.0), _563), ((_563 * _560) * _560) * fma(-2.0, _560, 3.0));
+        vec2 _580 = mix(vec2(0.0), _463, bvec2(all(lessThanEqual(abs(_463), vec2(9.9999996802856924650656260769173e+37)))));
+        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4(mix(_463, mix(_580, _580 + ((_506 - _580) * clamp(_575, 0.0, 1.0)), bvec2(all(lessThanEqual(_538, vec2(9.9999996802856924650656260769173e+37))))), bvec2(_575 > 0.0)), 0.0, 0.0));
+        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_511 > 0.0) ? min(_511, 255.0) : 0.0, (_542 > 0.0) ? min(_542, 1.0) : 0.0, 1.0), 255.0), _113, 0.0, 0.0));
+        break;
+    } while(false);
+}
+
