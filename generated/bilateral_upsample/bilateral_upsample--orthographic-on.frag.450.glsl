@@ -9,8 +9,8 @@ layout(binding = 0, std140) uniform BilateralUpsampleParameters
     float gContrast;
 } parameters;
 
-layout(binding = 1) uniform sampler2D gInFiltered;
 layout(binding = 2) uniform sampler2D gInCoarseDepth;
+layout(binding = 1) uniform sampler2D gInFiltered;
 layout(binding = 3) uniform sampler2D gInDepth;
 
 layout(location = 0) out vec4 gOutUpsampled;
@@ -24,22 +24,22 @@ void main()
     float _57 = _56.x;
     float _58 = _55.x;
     vec2 _68 = (_54 + vec2(1.0)) * parameters.gCoarseSize.zw;
-    vec4 _72 = textureGather(gInFiltered, _68);
-    float _73 = _72.w;
-    float _74 = _72.z;
-    float _75 = _72.x;
-    float _76 = _72.y;
-    float _79 = float(abs(_73) <= 65504.0);
-    float _84 = float(abs(_74) <= 65504.0);
-    float _89 = float(abs(_75) <= 65504.0);
-    float _94 = float(abs(_76) <= 65504.0);
-    vec4 _102 = textureGather(gInCoarseDepth, _68).wzxy;
+    vec4 _73 = textureGather(gInCoarseDepth, _68).wzxy;
+    vec4 _80 = textureGather(gInFiltered, _68);
+    float _81 = _80.w;
+    float _82 = _80.z;
+    float _83 = _80.x;
+    float _84 = _80.y;
+    float _87 = float(abs(_81) <= 65504.0);
+    float _92 = float(abs(_82) <= 65504.0);
+    float _97 = float(abs(_83) <= 65504.0);
+    float _102 = float(abs(_84) <= 65504.0);
     vec4 _113 = textureLod(gInDepth, gl_FragCoord.xy * parameters.gOutputSize.zw, 0.0);
     float _114 = _113.x;
     float _122 = fma(_114, parameters.gLinearDepth.x, parameters.gLinearDepth.y);
-    vec4 _134 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_114 - 0.5) <= 0.5) ? (((_122 > 0.0) && (_122 < min(parameters.gSkyDepth, 65504.0))) ? _122 : 65504.0) : 65504.0) - mix(vec4(65504.0), min(_102, vec4(65504.0)), greaterThan(_102, vec4(0.0))));
-    vec4 _141 = ((((vec4(_57, _58, _57, _58) * vec4(_56.yy, _55.yy)) * vec4(_79, _84, _89, _94)) * _134.yxxx) * _134.zzyy) * _134.wwwz;
+    vec4 _134 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_114 - 0.5) <= 0.5) ? (((_122 > 0.0) && (_122 < min(parameters.gSkyDepth, 65504.0))) ? _122 : 65504.0) : 65504.0) - mix(vec4(65504.0), min(_73, vec4(65504.0)), greaterThan(_73, vec4(0.0))));
+    vec4 _141 = ((((vec4(_57, _58, _57, _58) * vec4(_56.yy, _55.yy)) * vec4(_87, _92, _97, _102)) * _134.yxxx) * _134.zzyy) * _134.wwwz;
     vec4 _145 = _141 * (1.0 / max(dot(_141, vec4(1.0)), 1.0000000031710768509710513471353e-30));
-    gOutUpsampled = vec4(fma(_145.w, (_94 > 0.5) ? _76 : 0.0, fma(_145.z, (_89 > 0.5) ? _75 : 0.0, fma(_145.x, (_79 > 0.5) ? _73 : 0.0, _145.y * ((_84 > 0.5) ? _74 : 0.0)))), 0.0, 0.0, 0.0);
+    gOutUpsampled = vec4(fma(_145.w, (_102 > 0.5) ? _84 : 0.0, fma(_145.z, (_97 > 0.5) ? _83 : 0.0, fma(_145.x, (_87 > 0.5) ? _81 : 0.0, _145.y * ((_92 > 0.5) ? _82 : 0.0)))), 0.0, 0.0, 0.0);
 }
 

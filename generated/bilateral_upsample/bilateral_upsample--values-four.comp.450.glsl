@@ -11,98 +11,59 @@ layout(binding = 0, std140) uniform BilateralUpsampleParameters
 } parameters;
 
 layout(binding = 16) uniform writeonly image2D gOutUpsampled;
-layout(binding = 1) uniform sampler2D gInFiltered;
 layout(binding = 2) uniform sampler2D gInCoarseDepth;
+layout(binding = 1) uniform sampler2D gInFiltered;
 layout(binding = 3) uniform sampler2D gInDepth;
 
 void main()
 {
-    do
-    {
-        vec2 _75 = vec2(gl_GlobalInvocationID.xy) * 2.0;
-        vec2 _76 = _75 - vec2(1.0);
-        if (any(greaterThanEqual(_76, parameters.gOutputSize.xy)))
-        {
-            break;
-        }
-        vec2 _88 = floor(fma(_75, vec2(0.5), vec2(-0.5)));
-        vec2 _89 = max(parameters.gCoarseSize.xy, vec2(1.0));
-        vec2 _90 = _89 - vec2(1.0);
-        vec2 _93 = (clamp(_88, vec2(0.0), _90) + vec2(0.5)) / _89;
-        vec2 _97 = (clamp(_88 + vec2(1.0), vec2(0.0), _90) + vec2(0.5)) / _89;
-        vec4 _113 = textureLod(gInFiltered, _93, 0.0);
-        vec4 _115 = textureLod(gInFiltered, vec2(_97.x, _93.y), 0.0);
-        vec4 _117 = textureLod(gInFiltered, vec2(_93.x, _97.y), 0.0);
-        vec4 _119 = textureLod(gInFiltered, _97, 0.0);
-        float _123 = float(all(lessThanEqual(abs(_113), vec4(65504.0))));
-        vec4 _126 = mix(vec4(0.0), _113, bvec4(_123 > 0.5));
-        float _130 = float(all(lessThanEqual(abs(_115), vec4(65504.0))));
-        vec4 _133 = mix(vec4(0.0), _115, bvec4(_130 > 0.5));
-        float _137 = float(all(lessThanEqual(abs(_117), vec4(65504.0))));
-        vec4 _140 = mix(vec4(0.0), _117, bvec4(_137 > 0.5));
-        float _144 = float(all(lessThanEqual(abs(_119), vec4(65504.0))));
-        vec4 _145 = vec4(_123, _130, _137, _144);
-        vec4 _148 = mix(vec4(0.0), _119, bvec4(_144 > 0.5));
-        vec4 _153 = textureGather(gInCoarseDepth, (floor(fma(_75 + vec2(-0.5), vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw).wzxy;
-        vec4 _156 = mix(vec4(65504.0), min(_153, vec4(65504.0)), greaterThan(_153, vec4(0.0)));
-        vec4 _162 = textureGather(gInDepth, _75 * parameters.gOutputSize.zw);
-        float _163 = _162.w;
-        float _173 = 1.0 / max(fma(_163, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-        float _177 = min(parameters.gSkyDepth, 65504.0);
-        vec4 _185 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_163 - 0.5) <= 0.5) ? (((_173 > 0.0) && (_173 < _177)) ? _173 : 65504.0) : 65504.0) - _156);
-        vec4 _192 = (((vec4(0.5625, 0.1875, 0.1875, 0.0625) * _145) * _185.yxxx) * _185.zzyy) * _185.wwwz;
-        vec4 _196 = _192 * (1.0 / max(dot(_192, vec4(1.0)), 1.0000000031710768509710513471353e-30));
-        vec4 _207 = (((_126 * _196.x) + (_133 * _196.y)) + (_140 * _196.z)) + (_148 * _196.w);
-        float _208 = _162.z;
-        float _214 = 1.0 / max(fma(_208, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-        vec4 _223 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_208 - 0.5) <= 0.5) ? (((_214 > 0.0) && (_214 < _177)) ? _214 : 65504.0) : 65504.0) - _156);
-        vec4 _230 = (((vec4(0.1875, 0.5625, 0.0625, 0.1875) * _145) * _223.yxxx) * _223.zzyy) * _223.wwwz;
-        vec4 _234 = _230 * (1.0 / max(dot(_230, vec4(1.0)), 1.0000000031710768509710513471353e-30));
-        vec4 _245 = (((_126 * _234.x) + (_133 * _234.y)) + (_140 * _234.z)) + (_148 * _234.w);
-        float _246 = _162.x;
-        float _252 = 1.0 / max(fma(_246, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-        vec4 _261 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_246 - 0.5) <= 0.5) ? (((_252 > 0.0) && (_252 < _177)) ? _252 : 65504.0) : 65504.0) - _156);
-        vec4 _268 = (((vec4(0.1875, 0.0625, 0.5625, 0.1875) * _145) * _261.yxxx) * _261.zzyy) * _261.wwwz;
-        vec4 _272 = _268 * (1.0 / max(dot(_268, vec4(1.0)), 1.0000000031710768509710513471353e-30));
-        vec4 _283 = (((_126 * _272.x) + (_133 * _272.y)) + (_140 * _272.z)) + (_148 * _272.w);
-        float _284 = _162.y;
-        float _290 = 1.0 / max(fma(_284, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
-        vec4 _299 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_284 - 0.5) <= 0.5) ? (((_290 > 0.0) && (_290 < _177)) ? _290 : 65504.0) : 65504.0) - _156);
-        vec4 _306 = (((vec4(0.0625, 0.1875, 0.1875, 0.5625) * _145) * _299.yxxx) * _299.zzyy) * _299.wwwz;
-        vec4 _310 = _306 * (1.0 / max(dot(_306, vec4(1.0)), 1.0000000031710768509710513471353e-30));
-        vec4 _321 = (((_126 * _310.x) + (_133 * _310.y)) + (_140 * _310.z)) + (_148 * _310.w);
-        bvec2 _322 = greaterThanEqual(_76, vec2(0.0));
-        bvec2 _323 = lessThan(_75, parameters.gOutputSize.xy);
-        ivec2 _324 = ivec2(_76);
-        if (all(_322) && all(_323))
-        {
-            imageStore(gOutUpsampled, _324, _207);
-            imageStore(gOutUpsampled, _324 + ivec2(1, 0), _245);
-            imageStore(gOutUpsampled, _324 + ivec2(0, 1), _283);
-            imageStore(gOutUpsampled, _324 + ivec2(1), _321);
-            break;
-        }
-        bool _337 = _322.x;
-        bool _338 = _322.y;
-        if (_337 && _338)
-        {
-            imageStore(gOutUpsampled, _324, _207);
-        }
-        bool _343 = _323.x;
-        if (_343 && _338)
-        {
-            imageStore(gOutUpsampled, _324 + ivec2(1, 0), _245);
-        }
-        bool _349 = _323.y;
-        if (_337 && _349)
-        {
-            imageStore(gOutUpsampled, _324 + ivec2(0, 1), _283);
-        }
-        if (_343 && _349)
-        {
-            imageStore(gOutUpsampled, _324 + ivec2(1), _321);
-        }
-        break;
-    } while(false);
+    vec2 _71 = vec2(gl_GlobalInvocationID.xy) * 2.0;
+    vec2 _77 = floor(fma(_71, vec2(0.5), vec2(-0.5)));
+    vec2 _78 = max(parameters.gCoarseSize.xy, vec2(1.0));
+    vec2 _79 = _78 - vec2(1.0);
+    vec2 _82 = (clamp(_77, vec2(0.0), _79) + vec2(0.5)) / _78;
+    vec2 _86 = (clamp(_77 + vec2(1.0), vec2(0.0), _79) + vec2(0.5)) / _78;
+    vec4 _103 = textureGather(gInCoarseDepth, (floor(fma(_71 + vec2(-0.5), vec2(0.5), vec2(-0.5))) + vec2(1.0)) * parameters.gCoarseSize.zw).wzxy;
+    vec4 _106 = mix(vec4(65504.0), min(_103, vec4(65504.0)), greaterThan(_103, vec4(0.0)));
+    vec4 _110 = textureLod(gInFiltered, _82, 0.0);
+    vec4 _112 = textureLod(gInFiltered, vec2(_86.x, _82.y), 0.0);
+    vec4 _114 = textureLod(gInFiltered, vec2(_82.x, _86.y), 0.0);
+    vec4 _116 = textureLod(gInFiltered, _86, 0.0);
+    float _120 = float(all(lessThanEqual(abs(_110), vec4(65504.0))));
+    vec4 _123 = mix(vec4(0.0), _110, bvec4(_120 > 0.5));
+    float _127 = float(all(lessThanEqual(abs(_112), vec4(65504.0))));
+    vec4 _130 = mix(vec4(0.0), _112, bvec4(_127 > 0.5));
+    float _134 = float(all(lessThanEqual(abs(_114), vec4(65504.0))));
+    vec4 _137 = mix(vec4(0.0), _114, bvec4(_134 > 0.5));
+    float _141 = float(all(lessThanEqual(abs(_116), vec4(65504.0))));
+    vec4 _142 = vec4(_120, _127, _134, _141);
+    vec4 _145 = mix(vec4(0.0), _116, bvec4(_141 > 0.5));
+    vec4 _153 = textureGather(gInDepth, _71 * parameters.gOutputSize.zw);
+    float _154 = _153.w;
+    float _164 = 1.0 / max(fma(_154, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+    float _168 = min(parameters.gSkyDepth, 65504.0);
+    vec4 _176 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_154 - 0.5) <= 0.5) ? (((_164 > 0.0) && (_164 < _168)) ? _164 : 65504.0) : 65504.0) - _106);
+    vec4 _183 = (((vec4(0.5625, 0.1875, 0.1875, 0.0625) * _142) * _176.yxxx) * _176.zzyy) * _176.wwwz;
+    vec4 _187 = _183 * (1.0 / max(dot(_183, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+    float _199 = _153.z;
+    float _205 = 1.0 / max(fma(_199, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+    vec4 _214 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_199 - 0.5) <= 0.5) ? (((_205 > 0.0) && (_205 < _168)) ? _205 : 65504.0) : 65504.0) - _106);
+    vec4 _221 = (((vec4(0.1875, 0.5625, 0.0625, 0.1875) * _142) * _214.yxxx) * _214.zzyy) * _214.wwwz;
+    vec4 _225 = _221 * (1.0 / max(dot(_221, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+    float _237 = _153.x;
+    float _243 = 1.0 / max(fma(_237, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+    vec4 _252 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_237 - 0.5) <= 0.5) ? (((_243 > 0.0) && (_243 < _168)) ? _243 : 65504.0) : 65504.0) - _106);
+    vec4 _259 = (((vec4(0.1875, 0.0625, 0.5625, 0.1875) * _142) * _252.yxxx) * _252.zzyy) * _252.wwwz;
+    vec4 _263 = _259 * (1.0 / max(dot(_259, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+    float _275 = _153.y;
+    float _281 = 1.0 / max(fma(_275, parameters.gLinearDepth.x, parameters.gLinearDepth.y), 1.0000000031710768509710513471353e-30);
+    vec4 _290 = vec4(9.9999997473787516355514526367188e-05) + abs(vec4((abs(_275 - 0.5) <= 0.5) ? (((_281 > 0.0) && (_281 < _168)) ? _281 : 65504.0) : 65504.0) - _106);
+    vec4 _297 = (((vec4(0.0625, 0.1875, 0.1875, 0.5625) * _142) * _290.yxxx) * _290.zzyy) * _290.wwwz;
+    vec4 _301 = _297 * (1.0 / max(dot(_297, vec4(1.0)), 1.0000000031710768509710513471353e-30));
+    ivec2 _313 = ivec2(_71 - vec2(1.0));
+    imageStore(gOutUpsampled, _313, (((_123 * _187.x) + (_130 * _187.y)) + (_137 * _187.z)) + (_145 * _187.w));
+    imageStore(gOutUpsampled, _313 + ivec2(1, 0), (((_123 * _225.x) + (_130 * _225.y)) + (_137 * _225.z)) + (_145 * _225.w));
+    imageStore(gOutUpsampled, _313 + ivec2(0, 1), (((_123 * _263.x) + (_130 * _263.y)) + (_137 * _263.z)) + (_145 * _263.w));
+    imageStore(gOutUpsampled, _313 + ivec2(1), (((_123 * _301.x) + (_130 * _301.y)) + (_137 * _301.z)) + (_145 * _301.w));
 }
 

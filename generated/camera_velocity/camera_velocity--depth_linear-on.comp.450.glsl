@@ -14,19 +14,11 @@ layout(binding = 1) uniform sampler2D gInDepth;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _63 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec2 _74 = fma(_63, parameters.gOutputSize.zw, -parameters.gJitterUv);
-        vec4 _89 = ((parameters.gReprojection * vec4(fma(_74, parameters.gViewRay.xy, parameters.gViewRay.zw) * 1.0, 1.0, 0.0)) * textureLod(gInDepth, _63 * parameters.gOutputSize.zw, 0.0).x) + (parameters.gReprojection * vec4(0.0, 0.0, 0.0, 1.0));
-        float _90 = _89.w;
-        vec2 _95 = fma(_89.xy * (1.0 / _90), vec2(0.5, -0.5), vec2(0.5));
-        imageStore(gOutVelocity, ivec2(gl_GlobalInvocationID.xy), vec4(_74 - mix(vec2(-8.0), _95, bvec2((_90 > 0.0) && all(lessThanEqual(abs(_95), vec2(8.0))))), 0.0, 0.0));
-        break;
-    } while(false);
+    vec2 _52 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+    vec2 _65 = fma(_52, parameters.gOutputSize.zw, -parameters.gJitterUv);
+    vec4 _80 = ((parameters.gReprojection * vec4(fma(_65, parameters.gViewRay.xy, parameters.gViewRay.zw) * 1.0, 1.0, 0.0)) * textureLod(gInDepth, _52 * parameters.gOutputSize.zw, 0.0).x) + (parameters.gReprojection * vec4(0.0, 0.0, 0.0, 1.0));
+    float _81 = _80.w;
+    vec2 _86 = fma(_80.xy * (1.0 / _81), vec2(0.5, -0.5), vec2(0.5));
+    imageStore(gOutVelocity, ivec2(gl_GlobalInvocationID.xy), vec4(_65 - mix(vec2(-8.0), _86, bvec2((_81 > 0.0) && all(lessThanEqual(abs(_86), vec2(8.0))))), 0.0, 0.0));
 }
 

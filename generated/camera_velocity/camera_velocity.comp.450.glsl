@@ -14,19 +14,11 @@ layout(binding = 1) uniform sampler2D gInDepth;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _66 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec2 _77 = fma(_66, parameters.gOutputSize.zw, -parameters.gJitterUv);
-        vec4 _84 = parameters.gReprojection * vec4(fma(_77, vec2(2.0, -2.0), vec2(-1.0, 1.0)), textureLod(gInDepth, _66 * parameters.gOutputSize.zw, 0.0).x, 1.0);
-        float _85 = _84.w;
-        vec2 _90 = fma(_84.xy * (1.0 / _85), vec2(0.5, -0.5), vec2(0.5));
-        imageStore(gOutVelocity, ivec2(gl_GlobalInvocationID.xy), vec4(_77 - mix(vec2(-8.0), _90, bvec2((_85 > 0.0) && all(lessThanEqual(abs(_90), vec2(8.0))))), 0.0, 0.0));
-        break;
-    } while(false);
+    vec2 _55 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+    vec2 _68 = fma(_55, parameters.gOutputSize.zw, -parameters.gJitterUv);
+    vec4 _75 = parameters.gReprojection * vec4(fma(_68, vec2(2.0, -2.0), vec2(-1.0, 1.0)), textureLod(gInDepth, _55 * parameters.gOutputSize.zw, 0.0).x, 1.0);
+    float _76 = _75.w;
+    vec2 _81 = fma(_75.xy * (1.0 / _76), vec2(0.5, -0.5), vec2(0.5));
+    imageStore(gOutVelocity, ivec2(gl_GlobalInvocationID.xy), vec4(_68 - mix(vec2(-8.0), _81, bvec2((_76 > 0.0) && all(lessThanEqual(abs(_81), vec2(8.0))))), 0.0, 0.0));
 }
 

@@ -12,21 +12,13 @@ layout(binding = 2) uniform highp sampler2D gInAmbientLight;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _58 = (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * parameters.gOutputSize.zw;
-        vec4 _62 = textureLod(gInLighting, _58, 0.0);
-        vec4 _66 = textureLod(gInAmbientLight, _58, 0.0);
-        float _67 = _66.x;
-        float _70 = _66.y;
-        float _73 = _66.z;
-        float _78 = _62.x;
-        imageStore(gOutLit, ivec2(gl_GlobalInvocationID.xy), vec4(min(min(vec3((_67 > 0.0) ? _67 : 0.0, (_70 > 0.0) ? _70 : 0.0, (_73 > 0.0) ? _73 : 0.0), vec3(65504.0)) * ((abs(_78) <= 9.9999996802856924650656260769173e+37) ? clamp(_78, 0.0, 1.0) : 1.0), vec3(65504.0)), 1.0));
-        break;
-    } while(false);
+    vec2 _48 = (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * parameters.gOutputSize.zw;
+    vec4 _52 = textureLod(gInLighting, _48, 0.0);
+    vec4 _56 = textureLod(gInAmbientLight, _48, 0.0);
+    float _57 = _56.x;
+    float _60 = _56.y;
+    float _63 = _56.z;
+    float _68 = _52.x;
+    imageStore(gOutLit, ivec2(gl_GlobalInvocationID.xy), vec4(min(min(vec3((_57 > 0.0) ? _57 : 0.0, (_60 > 0.0) ? _60 : 0.0, (_63 > 0.0) ? _63 : 0.0), vec3(65504.0)) * ((abs(_68) <= 9.9999996802856924650656260769173e+37) ? clamp(_68, 0.0, 1.0) : 1.0), vec3(65504.0)), 1.0));
 }
 

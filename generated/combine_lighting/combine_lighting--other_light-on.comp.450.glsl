@@ -14,30 +14,22 @@ layout(binding = 4) uniform sampler2D gInOtherLight;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _62 = (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * parameters.gOutputSize.zw;
-        vec4 _66 = textureLod(gInLighting, _62, 0.0);
-        vec4 _70 = textureLod(gInAmbientLight, _62, 0.0);
-        float _71 = _70.x;
-        float _74 = _70.y;
-        float _77 = _70.z;
-        float _82 = _66.x;
-        vec4 _91 = textureLod(gInSunLight, _62, 0.0);
-        float _92 = _91.x;
-        float _95 = _91.y;
-        float _98 = _91.z;
-        float _103 = _66.y;
-        vec4 _113 = textureLod(gInOtherLight, _62, 0.0);
-        float _114 = _113.x;
-        float _117 = _113.y;
-        float _120 = _113.z;
-        imageStore(gOutLit, ivec2(gl_GlobalInvocationID.xy), vec4(min(((min(vec3((_71 > 0.0) ? _71 : 0.0, (_74 > 0.0) ? _74 : 0.0, (_77 > 0.0) ? _77 : 0.0), vec3(65504.0)) * ((abs(_82) <= 9.9999996802856924650656260769173e+37) ? clamp(_82, 0.0, 1.0) : 1.0)) + (min(vec3((_92 > 0.0) ? _92 : 0.0, (_95 > 0.0) ? _95 : 0.0, (_98 > 0.0) ? _98 : 0.0), vec3(65504.0)) * ((abs(_103) <= 9.9999996802856924650656260769173e+37) ? clamp(_103, 0.0, 1.0) : 1.0))) + min(vec3((_114 > 0.0) ? _114 : 0.0, (_117 > 0.0) ? _117 : 0.0, (_120 > 0.0) ? _120 : 0.0), vec3(65504.0)), vec3(65504.0)), 1.0));
-        break;
-    } while(false);
+    vec2 _52 = (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * parameters.gOutputSize.zw;
+    vec4 _56 = textureLod(gInLighting, _52, 0.0);
+    vec4 _60 = textureLod(gInAmbientLight, _52, 0.0);
+    float _61 = _60.x;
+    float _64 = _60.y;
+    float _67 = _60.z;
+    float _72 = _56.x;
+    vec4 _81 = textureLod(gInSunLight, _52, 0.0);
+    float _82 = _81.x;
+    float _85 = _81.y;
+    float _88 = _81.z;
+    float _93 = _56.y;
+    vec4 _103 = textureLod(gInOtherLight, _52, 0.0);
+    float _104 = _103.x;
+    float _107 = _103.y;
+    float _110 = _103.z;
+    imageStore(gOutLit, ivec2(gl_GlobalInvocationID.xy), vec4(min(((min(vec3((_61 > 0.0) ? _61 : 0.0, (_64 > 0.0) ? _64 : 0.0, (_67 > 0.0) ? _67 : 0.0), vec3(65504.0)) * ((abs(_72) <= 9.9999996802856924650656260769173e+37) ? clamp(_72, 0.0, 1.0) : 1.0)) + (min(vec3((_82 > 0.0) ? _82 : 0.0, (_85 > 0.0) ? _85 : 0.0, (_88 > 0.0) ? _88 : 0.0), vec3(65504.0)) * ((abs(_93) <= 9.9999996802856924650656260769173e+37) ? clamp(_93, 0.0, 1.0) : 1.0))) + min(vec3((_104 > 0.0) ? _104 : 0.0, (_107 > 0.0) ? _107 : 0.0, (_110 > 0.0) ? _110 : 0.0), vec3(65504.0)), vec3(65504.0)), 1.0));
 }
 

@@ -14,22 +14,14 @@ layout(binding = 1) uniform highp sampler2D gInDepth;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _63 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec4 _72 = textureGather(gInDepth, (_63 * 2.0) * parameters.gInputSize.zw);
-        vec4 _76 = mix(vec4(1.0), _72, lessThanEqual(abs(_72 - vec4(0.5)), vec4(0.5)));
-        vec2 _77 = floor(_63);
-        vec4 _84 = _76.zwxy;
-        vec4 _85 = max(_76, _84);
-        vec4 _90 = min(_76, _84);
-        float _102 = 1.0 / max(((fract(0.5 * (_77.x + _77.y)) > 0.25) ? max(_85.xxxx, _85.yyyy).x : min(_90.xxxx, _90.yyyy).x) * parameters.gLinearDepth.x + parameters.gLinearDepth.y, 1.0000000031710768509710513471353e-30);
-        imageStore(gOutCoarseDepth, ivec2(gl_GlobalInvocationID.xy), vec4(((_102 > 0.0) && (_102 < min(parameters.gSkyDepth, 65504.0))) ? _102 : 65504.0, 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+    vec2 _50 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+    vec4 _59 = textureGather(gInDepth, (_50 * 2.0) * parameters.gInputSize.zw);
+    vec4 _63 = mix(vec4(1.0), _59, lessThanEqual(abs(_59 - vec4(0.5)), vec4(0.5)));
+    vec2 _64 = floor(_50);
+    vec4 _71 = _63.zwxy;
+    vec4 _72 = max(_63, _71);
+    vec4 _77 = min(_63, _71);
+    float _89 = 1.0 / max(((fract(0.5 * (_64.x + _64.y)) > 0.25) ? max(_72.xxxx, _72.yyyy).x : min(_77.xxxx, _77.yyyy).x) * parameters.gLinearDepth.x + parameters.gLinearDepth.y, 1.0000000031710768509710513471353e-30);
+    imageStore(gOutCoarseDepth, ivec2(gl_GlobalInvocationID.xy), vec4(((_89 > 0.0) && (_89 < min(parameters.gSkyDepth, 65504.0))) ? _89 : 65504.0, 0.0, 0.0, 0.0));
 }
 

@@ -14,20 +14,12 @@ layout(binding = 1) uniform highp sampler2D gInDepth;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec4 _67 = textureGather(gInDepth, ((vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * 2.0) * parameters.gInputSize.zw);
-        vec4 _69 = mix(vec4(65504.0), _67, greaterThan(_67, vec4(0.0)));
-        vec4 _71 = mix(vec4(65504.0), _69, lessThan(_69, vec4(65504.0)));
-        vec4 _73 = min(_71, _71.zwxy);
-        vec4 _76 = min(_73.xxxx, _73.yyyy);
-        float _77 = _76.x;
-        imageStore(gOutCoarseDepth, ivec2(gl_GlobalInvocationID.xy), vec4(((_77 > 0.0) && (_77 < min(parameters.gSkyDepth, 65504.0))) ? _77 : 65504.0, 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+    vec4 _54 = textureGather(gInDepth, ((vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * 2.0) * parameters.gInputSize.zw);
+    vec4 _56 = mix(vec4(65504.0), _54, greaterThan(_54, vec4(0.0)));
+    vec4 _58 = mix(vec4(65504.0), _56, lessThan(_56, vec4(65504.0)));
+    vec4 _60 = min(_58, _58.zwxy);
+    vec4 _63 = min(_60.xxxx, _60.yyyy);
+    float _64 = _63.x;
+    imageStore(gOutCoarseDepth, ivec2(gl_GlobalInvocationID.xy), vec4(((_64 > 0.0) && (_64 < min(parameters.gSkyDepth, 65504.0))) ? _64 : 65504.0, 0.0, 0.0, 0.0));
 }
 

@@ -14,18 +14,10 @@ layout(binding = 1) uniform highp sampler2D gInDepth;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec4 _71 = textureGather(gInDepth, ((vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * 2.0) * parameters.gInputSize.zw);
-        vec4 _75 = mix(vec4(0.0), _71, lessThanEqual(abs(_71 - vec4(0.5)), vec4(0.5)));
-        vec4 _77 = max(_75, _75.zwxy);
-        float _88 = 1.0 / max(max(_77.xxxx, _77.yyyy).x * parameters.gLinearDepth.x + parameters.gLinearDepth.y, 1.0000000031710768509710513471353e-30);
-        imageStore(gOutCoarseDepth, ivec2(gl_GlobalInvocationID.xy), vec4(((_88 > 0.0) && (_88 < min(parameters.gSkyDepth, 65504.0))) ? _88 : 65504.0, 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+    vec4 _58 = textureGather(gInDepth, ((vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * 2.0) * parameters.gInputSize.zw);
+    vec4 _62 = mix(vec4(0.0), _58, lessThanEqual(abs(_58 - vec4(0.5)), vec4(0.5)));
+    vec4 _64 = max(_62, _62.zwxy);
+    float _75 = 1.0 / max(max(_64.xxxx, _64.yyyy).x * parameters.gLinearDepth.x + parameters.gLinearDepth.y, 1.0000000031710768509710513471353e-30);
+    imageStore(gOutCoarseDepth, ivec2(gl_GlobalInvocationID.xy), vec4(((_75 > 0.0) && (_75 < min(parameters.gSkyDepth, 65504.0))) ? _75 : 65504.0, 0.0, 0.0, 0.0));
 }
 

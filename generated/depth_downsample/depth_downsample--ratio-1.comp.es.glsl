@@ -14,18 +14,10 @@ layout(binding = 1) uniform highp sampler2D gInDepth;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec4 _70 = textureLod(gInDepth, (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * parameters.gInputSize.zw, 0.0).xxxx;
-        vec4 _74 = mix(vec4(1.0), _70, lessThanEqual(abs(_70 - vec4(0.5)), vec4(0.5)));
-        vec4 _76 = min(_74, _74.zwxy);
-        float _87 = 1.0 / max(min(_76.xxxx, _76.yyyy).x * parameters.gLinearDepth.x + parameters.gLinearDepth.y, 1.0000000031710768509710513471353e-30);
-        imageStore(gOutCoarseDepth, ivec2(gl_GlobalInvocationID.xy), vec4(((_87 > 0.0) && (_87 < min(parameters.gSkyDepth, 65504.0))) ? _87 : 65504.0, 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+    vec4 _57 = textureLod(gInDepth, (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * parameters.gInputSize.zw, 0.0).xxxx;
+    vec4 _61 = mix(vec4(1.0), _57, lessThanEqual(abs(_57 - vec4(0.5)), vec4(0.5)));
+    vec4 _63 = min(_61, _61.zwxy);
+    float _74 = 1.0 / max(min(_63.xxxx, _63.yyyy).x * parameters.gLinearDepth.x + parameters.gLinearDepth.y, 1.0000000031710768509710513471353e-30);
+    imageStore(gOutCoarseDepth, ivec2(gl_GlobalInvocationID.xy), vec4(((_74 > 0.0) && (_74 < min(parameters.gSkyDepth, 65504.0))) ? _74 : 65504.0, 0.0, 0.0, 0.0));
 }
 

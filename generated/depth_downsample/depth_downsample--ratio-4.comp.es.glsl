@@ -14,22 +14,14 @@ layout(binding = 1) uniform highp sampler2D gInDepth;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _67 = (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * 4.0;
-        vec4 _76 = textureGather(gInDepth, (_67 - vec2(1.0)) * parameters.gInputSize.zw);
-        vec4 _84 = textureGather(gInDepth, (_67 + vec2(1.0, -1.0)) * parameters.gInputSize.zw);
-        vec4 _92 = textureGather(gInDepth, (_67 + vec2(-1.0, 1.0)) * parameters.gInputSize.zw);
-        vec4 _100 = textureGather(gInDepth, (_67 + vec2(1.0)) * parameters.gInputSize.zw);
-        vec4 _107 = min(min(mix(vec4(1.0), _76, lessThanEqual(abs(_76 - vec4(0.5)), vec4(0.5))), mix(vec4(1.0), _84, lessThanEqual(abs(_84 - vec4(0.5)), vec4(0.5)))), min(mix(vec4(1.0), _92, lessThanEqual(abs(_92 - vec4(0.5)), vec4(0.5))), mix(vec4(1.0), _100, lessThanEqual(abs(_100 - vec4(0.5)), vec4(0.5)))));
-        vec4 _109 = min(_107, _107.zwxy);
-        float _120 = 1.0 / max(min(_109.xxxx, _109.yyyy).x * parameters.gLinearDepth.x + parameters.gLinearDepth.y, 1.0000000031710768509710513471353e-30);
-        imageStore(gOutCoarseDepth, ivec2(gl_GlobalInvocationID.xy), vec4(((_120 > 0.0) && (_120 < min(parameters.gSkyDepth, 65504.0))) ? _120 : 65504.0, 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+    vec2 _54 = (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * 4.0;
+    vec4 _63 = textureGather(gInDepth, (_54 - vec2(1.0)) * parameters.gInputSize.zw);
+    vec4 _71 = textureGather(gInDepth, (_54 + vec2(1.0, -1.0)) * parameters.gInputSize.zw);
+    vec4 _79 = textureGather(gInDepth, (_54 + vec2(-1.0, 1.0)) * parameters.gInputSize.zw);
+    vec4 _87 = textureGather(gInDepth, (_54 + vec2(1.0)) * parameters.gInputSize.zw);
+    vec4 _94 = min(min(mix(vec4(1.0), _63, lessThanEqual(abs(_63 - vec4(0.5)), vec4(0.5))), mix(vec4(1.0), _71, lessThanEqual(abs(_71 - vec4(0.5)), vec4(0.5)))), min(mix(vec4(1.0), _79, lessThanEqual(abs(_79 - vec4(0.5)), vec4(0.5))), mix(vec4(1.0), _87, lessThanEqual(abs(_87 - vec4(0.5)), vec4(0.5)))));
+    vec4 _96 = min(_94, _94.zwxy);
+    float _107 = 1.0 / max(min(_96.xxxx, _96.yyyy).x * parameters.gLinearDepth.x + parameters.gLinearDepth.y, 1.0000000031710768509710513471353e-30);
+    imageStore(gOutCoarseDepth, ivec2(gl_GlobalInvocationID.xy), vec4(((_107 > 0.0) && (_107 < min(parameters.gSkyDepth, 65504.0))) ? _107 : 65504.0, 0.0, 0.0, 0.0));
 }
 

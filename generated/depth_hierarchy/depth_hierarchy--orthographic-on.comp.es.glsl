@@ -14,34 +14,26 @@ layout(binding = 1) uniform highp sampler2D gInDepth;
 
 void main()
 {
-    do
+    vec2 _56 = floor(vec2(gl_GlobalInvocationID.xy) + vec2(0.5));
+    vec2 _84;
+    float _85;
+    if (_56.x >= parameters.gInputSize.x)
     {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _68 = floor(vec2(gl_GlobalInvocationID.xy) + vec2(0.5));
-        vec2 _96;
-        float _97;
-        if (_68.x >= parameters.gInputSize.x)
-        {
-            vec3 _79 = floor(vec3(0.5, 0.25, 0.125) * parameters.gInputSize.y);
-            float _80 = parameters.gInputSize.y - _68.y;
-            float _89 = (_80 <= _79.z) ? 16.0 : ((_80 <= _79.y) ? 8.0 : ((_80 <= _79.x) ? 4.0 : 2.0));
-            _96 = _68 - vec2(parameters.gInputSize.x, parameters.gInputSize.y - floor((2.0 * parameters.gInputSize.y) / _89));
-            _97 = _89;
-        }
-        else
-        {
-            _96 = _68;
-            _97 = 1.0;
-        }
-        float _99 = floor(0.25 * _97);
-        vec4 _117 = textureLod(gInDepth, (((_96 * _97) + mix(vec2((_97 - 1.0) - _99), vec2(_99), fract(_96.yx * 0.5) * 2.0)) + vec2(0.5)) * parameters.gInputSize.zw, 0.0);
-        float _118 = _117.x;
-        float _127 = (abs(_118 - 0.5) <= 0.5) ? (_118 * parameters.gLinearDepth.x + parameters.gLinearDepth.y) : 65504.0;
-        imageStore(gOutDepthHierarchy, ivec2(gl_GlobalInvocationID.xy), vec4(((_127 > 0.0) && (_127 < min(parameters.gSkyDepth, 65504.0))) ? _127 : 65504.0, 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+        vec3 _67 = floor(vec3(0.5, 0.25, 0.125) * parameters.gInputSize.y);
+        float _68 = parameters.gInputSize.y - _56.y;
+        float _77 = (_68 <= _67.z) ? 16.0 : ((_68 <= _67.y) ? 8.0 : ((_68 <= _67.x) ? 4.0 : 2.0));
+        _84 = _56 - vec2(parameters.gInputSize.x, parameters.gInputSize.y - floor((2.0 * parameters.gInputSize.y) / _77));
+        _85 = _77;
+    }
+    else
+    {
+        _84 = _56;
+        _85 = 1.0;
+    }
+    float _87 = floor(0.25 * _85);
+    vec4 _105 = textureLod(gInDepth, (((_84 * _85) + mix(vec2((_85 - 1.0) - _87), vec2(_87), fract(_84.yx * 0.5) * 2.0)) + vec2(0.5)) * parameters.gInputSize.zw, 0.0);
+    float _106 = _105.x;
+    float _115 = (abs(_106 - 0.5) <= 0.5) ? (_106 * parameters.gLinearDepth.x + parameters.gLinearDepth.y) : 65504.0;
+    imageStore(gOutDepthHierarchy, ivec2(gl_GlobalInvocationID.xy), vec4(((_115 > 0.0) && (_115 < min(parameters.gSkyDepth, 65504.0))) ? _115 : 65504.0, 0.0, 0.0, 0.0));
 }
 

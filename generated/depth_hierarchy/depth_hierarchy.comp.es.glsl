@@ -14,34 +14,26 @@ layout(binding = 1) uniform highp sampler2D gInDepth;
 
 void main()
 {
-    do
+    vec2 _57 = floor(vec2(gl_GlobalInvocationID.xy) + vec2(0.5));
+    vec2 _85;
+    float _86;
+    if (_57.x >= parameters.gInputSize.x)
     {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _69 = floor(vec2(gl_GlobalInvocationID.xy) + vec2(0.5));
-        vec2 _97;
-        float _98;
-        if (_69.x >= parameters.gInputSize.x)
-        {
-            vec3 _80 = floor(vec3(0.5, 0.25, 0.125) * parameters.gInputSize.y);
-            float _81 = parameters.gInputSize.y - _69.y;
-            float _90 = (_81 <= _80.z) ? 16.0 : ((_81 <= _80.y) ? 8.0 : ((_81 <= _80.x) ? 4.0 : 2.0));
-            _97 = _69 - vec2(parameters.gInputSize.x, parameters.gInputSize.y - floor((2.0 * parameters.gInputSize.y) / _90));
-            _98 = _90;
-        }
-        else
-        {
-            _97 = _69;
-            _98 = 1.0;
-        }
-        float _100 = floor(0.25 * _98);
-        vec4 _118 = textureLod(gInDepth, (((_97 * _98) + mix(vec2((_98 - 1.0) - _100), vec2(_100), fract(_97.yx * 0.5) * 2.0)) + vec2(0.5)) * parameters.gInputSize.zw, 0.0);
-        float _119 = _118.x;
-        float _130 = (abs(_119 - 0.5) <= 0.5) ? (1.0 / max(_119 * parameters.gLinearDepth.x + parameters.gLinearDepth.y, 1.0000000031710768509710513471353e-30)) : 65504.0;
-        imageStore(gOutDepthHierarchy, ivec2(gl_GlobalInvocationID.xy), vec4(((_130 > 0.0) && (_130 < min(parameters.gSkyDepth, 65504.0))) ? _130 : 65504.0, 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+        vec3 _68 = floor(vec3(0.5, 0.25, 0.125) * parameters.gInputSize.y);
+        float _69 = parameters.gInputSize.y - _57.y;
+        float _78 = (_69 <= _68.z) ? 16.0 : ((_69 <= _68.y) ? 8.0 : ((_69 <= _68.x) ? 4.0 : 2.0));
+        _85 = _57 - vec2(parameters.gInputSize.x, parameters.gInputSize.y - floor((2.0 * parameters.gInputSize.y) / _78));
+        _86 = _78;
+    }
+    else
+    {
+        _85 = _57;
+        _86 = 1.0;
+    }
+    float _88 = floor(0.25 * _86);
+    vec4 _106 = textureLod(gInDepth, (((_85 * _86) + mix(vec2((_86 - 1.0) - _88), vec2(_88), fract(_85.yx * 0.5) * 2.0)) + vec2(0.5)) * parameters.gInputSize.zw, 0.0);
+    float _107 = _106.x;
+    float _118 = (abs(_107 - 0.5) <= 0.5) ? (1.0 / max(_107 * parameters.gLinearDepth.x + parameters.gLinearDepth.y, 1.0000000031710768509710513471353e-30)) : 65504.0;
+    imageStore(gOutDepthHierarchy, ivec2(gl_GlobalInvocationID.xy), vec4(((_118 > 0.0) && (_118 < min(parameters.gSkyDepth, 65504.0))) ? _118 : 65504.0, 0.0, 0.0, 0.0));
 }
 

@@ -26,46 +26,38 @@ layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _85 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec2 _87 = _85 * parameters.gOutputSize.zw;
-        vec4 _91 = textureLod(gInFresh, _87, 0.0);
-        float _92 = _91.y;
-        float _93 = _91.x;
-        float _96 = (abs(_93) <= 65504.0) ? _93 : 0.0;
-        float _100 = ((_92 > 0.0) && (_92 < 65504.0)) ? _92 : 65504.0;
-        vec2 _103 = _87 / parameters.gFrameToCoarse;
-        float _119 = dot((parameters.gViewToPreviousClip * vec4(fma(_87, parameters.gViewRay.xy, parameters.gViewRay.zw) * _100, _100, 1.0)).zw, parameters.gClipToDepth);
-        float _122 = (abs(_119) <= 9.9999996802856924650656260769173e+37) ? _119 : 0.0;
-        vec2 _134 = fma(-textureLod(gInVelocity, _103 - ((parameters.gOutputSize.zw * 0.125) / parameters.gFrameToCoarse), 0.0).xy, parameters.gMotionToUv, _103);
-        vec2 _139 = mix(vec2(-8.0), _134, bvec2(all(lessThanEqual(abs(_134), vec2(8.0)))));
-        vec2 _143 = _139 * parameters.gFrameToCoarse;
-        vec4 _147 = textureLod(gHistoryCacheStateFiltered, _143, 0.0);
-        vec4 _151 = textureLod(gHistoryCacheFiltered, _143, 0.0);
-        float _152 = _151.x;
-        float _154 = _147.x;
-        float _157 = (_154 > 0.0) ? min(_154, 255.0) : 0.0;
-        float _163 = max(fma(parameters.gMissThreshold.y, _100, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-        float _169 = _163 - abs(((abs(_122) <= 9.9999996802856924650656260769173e+37) ? _122 : 0.0) - _151.y);
-        float _172 = (_169 > 0.0) ? (_169 * (parameters.gConvergenceTime / _163)) : 0.0;
-        float _184 = abs(_152);
-        float _187 = ((parameters.gHistoryValid > 0.5) && (_184 <= 65504.0)) ? (((_172 > 0.0) && all(lessThanEqual(abs(fma(_139, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_172, 1.0) : 0.0) : 0.0;
-        float _199 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-        float _201 = parameters.gSpeedPx.y - abs(length(fma(_85, parameters.gOutputSize.zw, -_143) * parameters.gOutputSize.xy));
-        float _205 = ((_201 > 0.0) ? min(_201, _199) : 0.0) / _199;
-        float _208 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-        float _213 = _157 * _187;
-        float _216 = (_213 > 0.0) ? min(_213, 255.0) : 0.0;
-        float _220 = min(min(_216 / (_216 + 1.0), _208), ((_208 * _205) * _205) * fma(-2.0, _205, 3.0));
-        float _223 = (abs(_96) <= 9.9999996802856924650656260769173e+37) ? _96 : 0.0;
-        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_220 > 0.0) ? ((_184 <= 9.9999996802856924650656260769173e+37) ? fma(_152 - _223, clamp(_220, 0.0, 1.0), _223) : _223) : _96, _100, 0.0, 0.0));
-        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_157 > 0.0) ? min(_157, 255.0) : 0.0, (_187 > 0.0) ? min(_187, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+    vec2 _75 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+    vec2 _79 = _75 * parameters.gOutputSize.zw;
+    vec4 _83 = textureLod(gInFresh, _79, 0.0);
+    float _84 = _83.y;
+    float _85 = _83.x;
+    float _88 = (abs(_85) <= 65504.0) ? _85 : 0.0;
+    float _92 = ((_84 > 0.0) && (_84 < 65504.0)) ? _84 : 65504.0;
+    vec2 _95 = _79 / parameters.gFrameToCoarse;
+    float _111 = dot((parameters.gViewToPreviousClip * vec4(fma(_79, parameters.gViewRay.xy, parameters.gViewRay.zw) * _92, _92, 1.0)).zw, parameters.gClipToDepth);
+    float _114 = (abs(_111) <= 9.9999996802856924650656260769173e+37) ? _111 : 0.0;
+    vec2 _126 = fma(-textureLod(gInVelocity, _95 - ((parameters.gOutputSize.zw * 0.125) / parameters.gFrameToCoarse), 0.0).xy, parameters.gMotionToUv, _95);
+    vec2 _131 = mix(vec2(-8.0), _126, bvec2(all(lessThanEqual(abs(_126), vec2(8.0)))));
+    vec2 _135 = _131 * parameters.gFrameToCoarse;
+    vec4 _139 = textureLod(gHistoryCacheStateFiltered, _135, 0.0);
+    vec4 _143 = textureLod(gHistoryCacheFiltered, _135, 0.0);
+    float _144 = _143.x;
+    float _146 = _139.x;
+    float _149 = (_146 > 0.0) ? min(_146, 255.0) : 0.0;
+    float _155 = max(fma(parameters.gMissThreshold.y, _92, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    float _161 = _155 - abs(((abs(_114) <= 9.9999996802856924650656260769173e+37) ? _114 : 0.0) - _143.y);
+    float _164 = (_161 > 0.0) ? (_161 * (parameters.gConvergenceTime / _155)) : 0.0;
+    float _176 = abs(_144);
+    float _179 = ((parameters.gHistoryValid > 0.5) && (_176 <= 65504.0)) ? (((_164 > 0.0) && all(lessThanEqual(abs(fma(_131, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_164, 1.0) : 0.0) : 0.0;
+    float _192 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _194 = parameters.gSpeedPx.y - abs(length(fma(_75, parameters.gOutputSize.zw, -_135) * parameters.gOutputSize.xy));
+    float _198 = ((_194 > 0.0) ? min(_194, _192) : 0.0) / _192;
+    float _201 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _206 = _149 * _179;
+    float _209 = (_206 > 0.0) ? min(_206, 255.0) : 0.0;
+    float _213 = min(min(_209 / (_209 + 1.0), _201), ((_201 * _198) * _198) * fma(-2.0, _198, 3.0));
+    float _216 = (abs(_88) <= 9.9999996802856924650656260769173e+37) ? _88 : 0.0;
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_213 > 0.0) ? ((_176 <= 9.9999996802856924650656260769173e+37) ? fma(_144 - _216, clamp(_213, 0.0, 1.0), _216) : _216) : _88, _92, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_149 > 0.0) ? min(_149, 255.0) : 0.0, (_179 > 0.0) ? min(_179, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

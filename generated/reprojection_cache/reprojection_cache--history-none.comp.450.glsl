@@ -23,18 +23,10 @@ layout(binding = 1) uniform sampler2D gInFresh;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec4 _60 = textureLod(gInFresh, (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * parameters.gOutputSize.zw, 0.0);
-        float _61 = _60.y;
-        float _62 = _60.x;
-        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((abs(_62) <= 65504.0) ? _62 : 0.0, ((_61 > 0.0) && (_61 < 65504.0)) ? _61 : 65504.0, 0.0, 0.0));
-        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(1.0, 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+    vec4 _50 = textureLod(gInFresh, (vec2(gl_GlobalInvocationID.xy) + vec2(0.5)) * parameters.gOutputSize.zw, 0.0);
+    float _51 = _50.y;
+    float _52 = _50.x;
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((abs(_52) <= 65504.0) ? _52 : 0.0, ((_51 > 0.0) && (_51 < 65504.0)) ? _51 : 65504.0, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(1.0, 0.0, 0.0, 0.0));
 }
 

@@ -25,40 +25,32 @@ layout(binding = 3) uniform sampler2D gHistoryCache;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _71 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec2 _73 = _71 * parameters.gOutputSize.zw;
-        vec4 _77 = textureLod(gInFresh, _73, 0.0);
-        float _78 = _77.y;
-        float _79 = _77.x;
-        float _82 = (abs(_79) <= 65504.0) ? _79 : 0.0;
-        float _86 = ((_78 > 0.0) && (_78 < 65504.0)) ? _78 : 65504.0;
-        vec4 _90 = textureLod(gHistoryCacheState, _73, 0.0);
-        vec4 _94 = textureLod(gHistoryCache, _73, 0.0);
-        float _95 = _94.x;
-        float _97 = _90.x;
-        float _100 = (_97 > 0.0) ? min(_97, 255.0) : 0.0;
-        float _106 = max(fma(parameters.gMissThreshold.y, _86, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-        float _112 = _106 - abs(_86 - _94.y);
-        float _115 = (_112 > 0.0) ? (_112 * (parameters.gConvergenceTime / _106)) : 0.0;
-        float _127 = abs(_95);
-        float _130 = ((parameters.gHistoryValid > 0.5) && (_127 <= 65504.0)) ? (((_115 > 0.0) && all(lessThanEqual(abs(fma(_71, parameters.gOutputSize.zw, vec2(-0.5))), vec2(0.5)))) ? min(_115, 1.0) : 0.0) : 0.0;
-        float _142 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-        float _144 = parameters.gSpeedPx.y - abs(length(fma(_71, parameters.gOutputSize.zw, -_73) * parameters.gOutputSize.xy));
-        float _148 = ((_144 > 0.0) ? min(_144, _142) : 0.0) / _142;
-        float _151 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-        float _156 = _100 * _130;
-        float _159 = (_156 > 0.0) ? min(_156, 255.0) : 0.0;
-        float _163 = min(min(_159 / (_159 + 1.0), _151), ((_151 * _148) * _148) * fma(-2.0, _148, 3.0));
-        float _166 = (abs(_82) <= 9.9999996802856924650656260769173e+37) ? _82 : 0.0;
-        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_163 > 0.0) ? ((_127 <= 9.9999996802856924650656260769173e+37) ? fma(_95 - _166, clamp(_163, 0.0, 1.0), _166) : _166) : _82, _86, 0.0, 0.0));
-        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_100 > 0.0) ? min(_100, 255.0) : 0.0, (_130 > 0.0) ? min(_130, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+    vec2 _61 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+    vec2 _65 = _61 * parameters.gOutputSize.zw;
+    vec4 _69 = textureLod(gInFresh, _65, 0.0);
+    float _70 = _69.y;
+    float _71 = _69.x;
+    float _74 = (abs(_71) <= 65504.0) ? _71 : 0.0;
+    float _78 = ((_70 > 0.0) && (_70 < 65504.0)) ? _70 : 65504.0;
+    vec4 _82 = textureLod(gHistoryCacheState, _65, 0.0);
+    vec4 _86 = textureLod(gHistoryCache, _65, 0.0);
+    float _87 = _86.x;
+    float _89 = _82.x;
+    float _92 = (_89 > 0.0) ? min(_89, 255.0) : 0.0;
+    float _98 = max(fma(parameters.gMissThreshold.y, _78, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    float _104 = _98 - abs(_78 - _86.y);
+    float _107 = (_104 > 0.0) ? (_104 * (parameters.gConvergenceTime / _98)) : 0.0;
+    float _119 = abs(_87);
+    float _122 = ((parameters.gHistoryValid > 0.5) && (_119 <= 65504.0)) ? (((_107 > 0.0) && all(lessThanEqual(abs(fma(_61, parameters.gOutputSize.zw, vec2(-0.5))), vec2(0.5)))) ? min(_107, 1.0) : 0.0) : 0.0;
+    float _135 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _137 = parameters.gSpeedPx.y - abs(length(fma(_61, parameters.gOutputSize.zw, -_65) * parameters.gOutputSize.xy));
+    float _141 = ((_137 > 0.0) ? min(_137, _135) : 0.0) / _135;
+    float _144 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _149 = _92 * _122;
+    float _152 = (_149 > 0.0) ? min(_149, 255.0) : 0.0;
+    float _156 = min(min(_152 / (_152 + 1.0), _144), ((_144 * _141) * _141) * fma(-2.0, _141, 3.0));
+    float _159 = (abs(_74) <= 9.9999996802856924650656260769173e+37) ? _74 : 0.0;
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_156 > 0.0) ? ((_119 <= 9.9999996802856924650656260769173e+37) ? fma(_87 - _159, clamp(_156, 0.0, 1.0), _159) : _159) : _74, _78, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_92 > 0.0) ? min(_92, 255.0) : 0.0, (_122 > 0.0) ? min(_122, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

@@ -25,46 +25,38 @@ layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _82 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec2 _84 = _82 * parameters.gOutputSize.zw;
-        vec4 _88 = textureLod(gInFresh, _84, 0.0);
-        float _89 = _88.y;
-        float _90 = _88.x;
-        float _93 = (abs(_90) <= 65504.0) ? _90 : 0.0;
-        float _97 = ((_89 > 0.0) && (_89 < 65504.0)) ? _89 : 65504.0;
-        vec4 _108 = parameters.gViewToPreviousClip * vec4(fma(_84, parameters.gViewRay.xy, parameters.gViewRay.zw), _97, 1.0);
-        float _111 = _108.w;
-        vec2 _116 = fma(_108.xy * (1.0 / _111), vec2(0.5, -0.5), vec2(0.5));
-        vec2 _122 = mix(vec2(-8.0), _116, bvec2((_111 > 0.0) && all(lessThanEqual(abs(_116), vec2(8.0)))));
-        float _124 = dot(_108.zw, parameters.gClipToDepth);
-        vec2 _130 = _122 * parameters.gFrameToCoarse;
-        vec4 _134 = textureLod(gHistoryCacheStateFiltered, _130, 0.0);
-        vec4 _138 = textureLod(gHistoryCacheFiltered, _130, 0.0);
-        float _139 = _138.x;
-        float _141 = _134.x;
-        float _144 = (_141 > 0.0) ? min(_141, 255.0) : 0.0;
-        float _150 = max(fma(parameters.gMissThreshold.y, _97, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-        float _156 = _150 - abs(((abs(_124) <= 9.9999996802856924650656260769173e+37) ? _124 : 0.0) - _138.y);
-        float _159 = (_156 > 0.0) ? (_156 * (parameters.gConvergenceTime / _150)) : 0.0;
-        float _171 = abs(_139);
-        float _174 = ((parameters.gHistoryValid > 0.5) && (_171 <= 65504.0)) ? (((_159 > 0.0) && all(lessThanEqual(abs(fma(_122, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_159, 1.0) : 0.0) : 0.0;
-        float _186 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-        float _188 = parameters.gSpeedPx.y - abs(length(fma(_82, parameters.gOutputSize.zw, -_130) * parameters.gOutputSize.xy));
-        float _192 = ((_188 > 0.0) ? min(_188, _186) : 0.0) / _186;
-        float _195 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-        float _200 = _144 * _174;
-        float _203 = (_200 > 0.0) ? min(_200, 255.0) : 0.0;
-        float _207 = min(min(_203 / (_203 + 1.0), _195), ((_195 * _192) * _192) * fma(-2.0, _192, 3.0));
-        float _210 = (abs(_93) <= 9.9999996802856924650656260769173e+37) ? _93 : 0.0;
-        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_207 > 0.0) ? ((_171 <= 9.9999996802856924650656260769173e+37) ? fma(_139 - _210, clamp(_207, 0.0, 1.0), _210) : _210) : _93, _97, 0.0, 0.0));
-        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_144 > 0.0) ? min(_144, 255.0) : 0.0, (_174 > 0.0) ? min(_174, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+    vec2 _72 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+    vec2 _76 = _72 * parameters.gOutputSize.zw;
+    vec4 _80 = textureLod(gInFresh, _76, 0.0);
+    float _81 = _80.y;
+    float _82 = _80.x;
+    float _85 = (abs(_82) <= 65504.0) ? _82 : 0.0;
+    float _89 = ((_81 > 0.0) && (_81 < 65504.0)) ? _81 : 65504.0;
+    vec4 _100 = parameters.gViewToPreviousClip * vec4(fma(_76, parameters.gViewRay.xy, parameters.gViewRay.zw), _89, 1.0);
+    float _103 = _100.w;
+    vec2 _108 = fma(_100.xy * (1.0 / _103), vec2(0.5, -0.5), vec2(0.5));
+    vec2 _114 = mix(vec2(-8.0), _108, bvec2((_103 > 0.0) && all(lessThanEqual(abs(_108), vec2(8.0)))));
+    float _116 = dot(_100.zw, parameters.gClipToDepth);
+    vec2 _122 = _114 * parameters.gFrameToCoarse;
+    vec4 _126 = textureLod(gHistoryCacheStateFiltered, _122, 0.0);
+    vec4 _130 = textureLod(gHistoryCacheFiltered, _122, 0.0);
+    float _131 = _130.x;
+    float _133 = _126.x;
+    float _136 = (_133 > 0.0) ? min(_133, 255.0) : 0.0;
+    float _142 = max(fma(parameters.gMissThreshold.y, _89, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    float _148 = _142 - abs(((abs(_116) <= 9.9999996802856924650656260769173e+37) ? _116 : 0.0) - _130.y);
+    float _151 = (_148 > 0.0) ? (_148 * (parameters.gConvergenceTime / _142)) : 0.0;
+    float _163 = abs(_131);
+    float _166 = ((parameters.gHistoryValid > 0.5) && (_163 <= 65504.0)) ? (((_151 > 0.0) && all(lessThanEqual(abs(fma(_114, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_151, 1.0) : 0.0) : 0.0;
+    float _179 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _181 = parameters.gSpeedPx.y - abs(length(fma(_72, parameters.gOutputSize.zw, -_122) * parameters.gOutputSize.xy));
+    float _185 = ((_181 > 0.0) ? min(_181, _179) : 0.0) / _179;
+    float _188 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _193 = _136 * _166;
+    float _196 = (_193 > 0.0) ? min(_193, 255.0) : 0.0;
+    float _200 = min(min(_196 / (_196 + 1.0), _188), ((_188 * _185) * _185) * fma(-2.0, _185, 3.0));
+    float _203 = (abs(_85) <= 9.9999996802856924650656260769173e+37) ? _85 : 0.0;
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_200 > 0.0) ? ((_163 <= 9.9999996802856924650656260769173e+37) ? fma(_131 - _203, clamp(_200, 0.0, 1.0), _203) : _203) : _85, _89, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_136 > 0.0) ? min(_136, 255.0) : 0.0, (_166 > 0.0) ? min(_166, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

@@ -25,46 +25,38 @@ layout(binding = 3) uniform sampler2D gHistoryCache;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _82 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec2 _84 = _82 * parameters.gOutputSize.zw;
-        vec4 _88 = textureLod(gInFresh, _84, 0.0);
-        float _89 = _88.y;
-        float _90 = _88.x;
-        float _93 = (abs(_90) <= 65504.0) ? _90 : 0.0;
-        float _97 = ((_89 > 0.0) && (_89 < 65504.0)) ? _89 : 65504.0;
-        vec4 _109 = parameters.gViewToPreviousClip * vec4(fma(_84, parameters.gViewRay.xy, parameters.gViewRay.zw) * _97, _97, 1.0);
-        float _112 = _109.w;
-        vec2 _117 = fma(_109.xy * (1.0 / _112), vec2(0.5, -0.5), vec2(0.5));
-        vec2 _123 = mix(vec2(-8.0), _117, bvec2((_112 > 0.0) && all(lessThanEqual(abs(_117), vec2(8.0)))));
-        float _125 = dot(_109.zw, parameters.gClipToDepth);
-        vec2 _131 = _123 * parameters.gFrameToCoarse;
-        vec4 _135 = textureLod(gHistoryCacheState, _131, 0.0);
-        vec4 _139 = textureLod(gHistoryCache, _131, 0.0);
-        float _140 = _139.x;
-        float _142 = _135.x;
-        float _145 = (_142 > 0.0) ? min(_142, 255.0) : 0.0;
-        float _151 = max(fma(parameters.gMissThreshold.y, _97, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-        float _157 = _151 - abs(((abs(_125) <= 9.9999996802856924650656260769173e+37) ? _125 : 0.0) - _139.y);
-        float _160 = (_157 > 0.0) ? (_157 * (parameters.gConvergenceTime / _151)) : 0.0;
-        float _172 = abs(_140);
-        float _175 = ((parameters.gHistoryValid > 0.5) && (_172 <= 65504.0)) ? (((_160 > 0.0) && all(lessThanEqual(abs(fma(_123, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_160, 1.0) : 0.0) : 0.0;
-        float _187 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-        float _189 = parameters.gSpeedPx.y - abs(length(fma(_82, parameters.gOutputSize.zw, -_131) * parameters.gOutputSize.xy));
-        float _193 = ((_189 > 0.0) ? min(_189, _187) : 0.0) / _187;
-        float _196 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-        float _201 = _145 * _175;
-        float _204 = (_201 > 0.0) ? min(_201, 255.0) : 0.0;
-        float _208 = min(min(_204 / (_204 + 1.0), _196), ((_196 * _193) * _193) * fma(-2.0, _193, 3.0));
-        float _211 = (abs(_93) <= 9.9999996802856924650656260769173e+37) ? _93 : 0.0;
-        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_208 > 0.0) ? ((_172 <= 9.9999996802856924650656260769173e+37) ? fma(_140 - _211, clamp(_208, 0.0, 1.0), _211) : _211) : _93, _97, 0.0, 0.0));
-        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_145 > 0.0) ? min(_145, 255.0) : 0.0, (_175 > 0.0) ? min(_175, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
-        break;
-    } while(false);
+    vec2 _72 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+    vec2 _76 = _72 * parameters.gOutputSize.zw;
+    vec4 _80 = textureLod(gInFresh, _76, 0.0);
+    float _81 = _80.y;
+    float _82 = _80.x;
+    float _85 = (abs(_82) <= 65504.0) ? _82 : 0.0;
+    float _89 = ((_81 > 0.0) && (_81 < 65504.0)) ? _81 : 65504.0;
+    vec4 _101 = parameters.gViewToPreviousClip * vec4(fma(_76, parameters.gViewRay.xy, parameters.gViewRay.zw) * _89, _89, 1.0);
+    float _104 = _101.w;
+    vec2 _109 = fma(_101.xy * (1.0 / _104), vec2(0.5, -0.5), vec2(0.5));
+    vec2 _115 = mix(vec2(-8.0), _109, bvec2((_104 > 0.0) && all(lessThanEqual(abs(_109), vec2(8.0)))));
+    float _117 = dot(_101.zw, parameters.gClipToDepth);
+    vec2 _123 = _115 * parameters.gFrameToCoarse;
+    vec4 _127 = textureLod(gHistoryCacheState, _123, 0.0);
+    vec4 _131 = textureLod(gHistoryCache, _123, 0.0);
+    float _132 = _131.x;
+    float _134 = _127.x;
+    float _137 = (_134 > 0.0) ? min(_134, 255.0) : 0.0;
+    float _143 = max(fma(parameters.gMissThreshold.y, _89, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    float _149 = _143 - abs(((abs(_117) <= 9.9999996802856924650656260769173e+37) ? _117 : 0.0) - _131.y);
+    float _152 = (_149 > 0.0) ? (_149 * (parameters.gConvergenceTime / _143)) : 0.0;
+    float _164 = abs(_132);
+    float _167 = ((parameters.gHistoryValid > 0.5) && (_164 <= 65504.0)) ? (((_152 > 0.0) && all(lessThanEqual(abs(fma(_115, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_152, 1.0) : 0.0) : 0.0;
+    float _180 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _182 = parameters.gSpeedPx.y - abs(length(fma(_72, parameters.gOutputSize.zw, -_123) * parameters.gOutputSize.xy));
+    float _186 = ((_182 > 0.0) ? min(_182, _180) : 0.0) / _180;
+    float _189 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _194 = _137 * _167;
+    float _197 = (_194 > 0.0) ? min(_194, 255.0) : 0.0;
+    float _201 = min(min(_197 / (_197 + 1.0), _189), ((_189 * _186) * _186) * fma(-2.0, _186, 3.0));
+    float _204 = (abs(_85) <= 9.9999996802856924650656260769173e+37) ? _85 : 0.0;
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_201 > 0.0) ? ((_164 <= 9.9999996802856924650656260769173e+37) ? fma(_132 - _204, clamp(_201, 0.0, 1.0), _204) : _204) : _85, _89, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_137 > 0.0) ? min(_137, 255.0) : 0.0, (_167 > 0.0) ? min(_167, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

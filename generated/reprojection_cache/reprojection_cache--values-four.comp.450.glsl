@@ -26,45 +26,37 @@ layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _88 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec2 _90 = _88 * parameters.gOutputSize.zw;
-        vec4 _94 = textureLod(gInFresh, _90, 0.0);
-        vec4 _98 = textureLod(gInCoarseDepth, _90, 0.0);
-        float _99 = _98.x;
-        vec4 _102 = mix(vec4(0.0), _94, lessThanEqual(abs(_94), vec4(65504.0)));
-        float _106 = ((_99 > 0.0) && (_99 < 65504.0)) ? _99 : 65504.0;
-        vec4 _118 = parameters.gViewToPreviousClip * vec4(fma(_90, parameters.gViewRay.xy, parameters.gViewRay.zw) * _106, _106, 1.0);
-        float _121 = _118.w;
-        vec2 _126 = fma(_118.xy * (1.0 / _121), vec2(0.5, -0.5), vec2(0.5));
-        vec2 _132 = mix(vec2(-8.0), _126, bvec2((_121 > 0.0) && all(lessThanEqual(abs(_126), vec2(8.0)))));
-        float _134 = dot(_118.zw, parameters.gClipToDepth);
-        vec2 _140 = _132 * parameters.gFrameToCoarse;
-        vec4 _144 = textureLod(gHistoryCacheStateFiltered, _140, 0.0);
-        vec4 _148 = textureLod(gHistoryCacheFiltered, _140, 0.0);
-        float _150 = _144.x;
-        float _153 = (_150 > 0.0) ? min(_150, 255.0) : 0.0;
-        float _159 = max(fma(parameters.gMissThreshold.y, _106, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-        float _165 = _159 - abs(((abs(_134) <= 9.9999996802856924650656260769173e+37) ? _134 : 0.0) - _144.y);
-        float _168 = (_165 > 0.0) ? (_165 * (parameters.gConvergenceTime / _159)) : 0.0;
-        vec4 _180 = abs(_148);
-        float _184 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(_180, vec4(65504.0)))) ? (((_168 > 0.0) && all(lessThanEqual(abs(fma(_132, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_168, 1.0) : 0.0) : 0.0;
-        float _196 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-        float _198 = parameters.gSpeedPx.y - abs(length(fma(_88, parameters.gOutputSize.zw, -_140) * parameters.gOutputSize.xy));
-        float _202 = ((_198 > 0.0) ? min(_198, _196) : 0.0) / _196;
-        float _205 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-        float _210 = _153 * _184;
-        float _213 = (_210 > 0.0) ? min(_210, 255.0) : 0.0;
-        float _217 = min(min(_213 / (_213 + 1.0), _205), ((_205 * _202) * _202) * fma(-2.0, _202, 3.0));
-        vec4 _222 = mix(vec4(0.0), _102, bvec4(all(lessThanEqual(abs(_102), vec4(9.9999996802856924650656260769173e+37)))));
-        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), mix(_102, mix(_222, _222 + ((_148 - _222) * clamp(_217, 0.0, 1.0)), bvec4(all(lessThanEqual(_180, vec4(9.9999996802856924650656260769173e+37))))), bvec4(_217 > 0.0)));
-        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_153 > 0.0) ? min(_153, 255.0) : 0.0, (_184 > 0.0) ? min(_184, 1.0) : 0.0, 1.0), 255.0), _106, 0.0, 0.0));
-        break;
-    } while(false);
+    vec2 _78 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+    vec2 _82 = _78 * parameters.gOutputSize.zw;
+    vec4 _86 = textureLod(gInFresh, _82, 0.0);
+    vec4 _90 = textureLod(gInCoarseDepth, _82, 0.0);
+    float _91 = _90.x;
+    vec4 _94 = mix(vec4(0.0), _86, lessThanEqual(abs(_86), vec4(65504.0)));
+    float _98 = ((_91 > 0.0) && (_91 < 65504.0)) ? _91 : 65504.0;
+    vec4 _110 = parameters.gViewToPreviousClip * vec4(fma(_82, parameters.gViewRay.xy, parameters.gViewRay.zw) * _98, _98, 1.0);
+    float _113 = _110.w;
+    vec2 _118 = fma(_110.xy * (1.0 / _113), vec2(0.5, -0.5), vec2(0.5));
+    vec2 _124 = mix(vec2(-8.0), _118, bvec2((_113 > 0.0) && all(lessThanEqual(abs(_118), vec2(8.0)))));
+    float _126 = dot(_110.zw, parameters.gClipToDepth);
+    vec2 _132 = _124 * parameters.gFrameToCoarse;
+    vec4 _136 = textureLod(gHistoryCacheStateFiltered, _132, 0.0);
+    vec4 _140 = textureLod(gHistoryCacheFiltered, _132, 0.0);
+    float _142 = _136.x;
+    float _145 = (_142 > 0.0) ? min(_142, 255.0) : 0.0;
+    float _151 = max(fma(parameters.gMissThreshold.y, _98, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    float _157 = _151 - abs(((abs(_126) <= 9.9999996802856924650656260769173e+37) ? _126 : 0.0) - _136.y);
+    float _160 = (_157 > 0.0) ? (_157 * (parameters.gConvergenceTime / _151)) : 0.0;
+    vec4 _172 = abs(_140);
+    float _176 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(_172, vec4(65504.0)))) ? (((_160 > 0.0) && all(lessThanEqual(abs(fma(_124, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_160, 1.0) : 0.0) : 0.0;
+    float _189 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _191 = parameters.gSpeedPx.y - abs(length(fma(_78, parameters.gOutputSize.zw, -_132) * parameters.gOutputSize.xy));
+    float _195 = ((_191 > 0.0) ? min(_191, _189) : 0.0) / _189;
+    float _198 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _203 = _145 * _176;
+    float _206 = (_203 > 0.0) ? min(_203, 255.0) : 0.0;
+    float _210 = min(min(_206 / (_206 + 1.0), _198), ((_198 * _195) * _195) * fma(-2.0, _195, 3.0));
+    vec4 _215 = mix(vec4(0.0), _94, bvec4(all(lessThanEqual(abs(_94), vec4(9.9999996802856924650656260769173e+37)))));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), mix(_94, mix(_215, _215 + ((_140 - _215) * clamp(_210, 0.0, 1.0)), bvec4(all(lessThanEqual(_172, vec4(9.9999996802856924650656260769173e+37))))), bvec4(_210 > 0.0)));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_145 > 0.0) ? min(_145, 255.0) : 0.0, (_176 > 0.0) ? min(_176, 1.0) : 0.0, 1.0), 255.0), _98, 0.0, 0.0));
 }
 

@@ -26,46 +26,38 @@ layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
 
 void main()
 {
-    do
-    {
-        if (any(greaterThanEqual(gl_GlobalInvocationID.xy, uvec2(parameters.gOutputSize.xy))))
-        {
-            break;
-        }
-        vec2 _87 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
-        vec2 _89 = _87 * parameters.gOutputSize.zw;
-        vec4 _97 = textureLod(gInCoarseDepth, _89, 0.0);
-        float _98 = _97.x;
-        vec2 _99 = textureLod(gInFresh, _89, 0.0).xy;
-        vec2 _102 = mix(vec2(0.0), _99, lessThanEqual(abs(_99), vec2(65504.0)));
-        float _106 = ((_98 > 0.0) && (_98 < 65504.0)) ? _98 : 65504.0;
-        vec4 _118 = parameters.gViewToPreviousClip * vec4(fma(_89, parameters.gViewRay.xy, parameters.gViewRay.zw) * _106, _106, 1.0);
-        float _121 = _118.w;
-        vec2 _126 = fma(_118.xy * (1.0 / _121), vec2(0.5, -0.5), vec2(0.5));
-        vec2 _132 = mix(vec2(-8.0), _126, bvec2((_121 > 0.0) && all(lessThanEqual(abs(_126), vec2(8.0)))));
-        float _134 = dot(_118.zw, parameters.gClipToDepth);
-        vec2 _140 = _132 * parameters.gFrameToCoarse;
-        vec4 _144 = textureLod(gHistoryCacheStateFiltered, _140, 0.0);
-        vec2 _149 = textureLod(gHistoryCacheFiltered, _140, 0.0).xy;
-        float _151 = _144.x;
-        float _154 = (_151 > 0.0) ? min(_151, 255.0) : 0.0;
-        float _160 = max(fma(parameters.gMissThreshold.y, _106, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-        float _166 = _160 - abs(((abs(_134) <= 9.9999996802856924650656260769173e+37) ? _134 : 0.0) - _144.y);
-        float _169 = (_166 > 0.0) ? (_166 * (parameters.gConvergenceTime / _160)) : 0.0;
-        vec2 _181 = abs(_149);
-        float _185 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(_181, vec2(65504.0)))) ? (((_169 > 0.0) && all(lessThanEqual(abs(fma(_132, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_169, 1.0) : 0.0) : 0.0;
-        float _197 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-        float _199 = parameters.gSpeedPx.y - abs(length(fma(_87, parameters.gOutputSize.zw, -_140) * parameters.gOutputSize.xy));
-        float _203 = ((_199 > 0.0) ? min(_199, _197) : 0.0) / _197;
-        float _206 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-        float _211 = _154 * _185;
-        float _214 = (_211 > 0.0) ? min(_211, 255.0) : 0.0;
-        float _218 = min(min(_214 / (_214 + 1.0), _206), ((_206 * _203) * _203) * fma(-2.0, _203, 3.0));
-        vec2 _223 = mix(vec2(0.0), _102, bvec2(all(lessThanEqual(abs(_102), vec2(9.9999996802856924650656260769173e+37)))));
-        vec2 _234 = mix(_102, mix(_223, _223 + ((_149 - _223) * clamp(_218, 0.0, 1.0)), bvec2(all(lessThanEqual(_181, vec2(9.9999996802856924650656260769173e+37))))), bvec2(_218 > 0.0));
-        imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4(_234, 0.0, 0.0));
-        imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_154 > 0.0) ? min(_154, 255.0) : 0.0, (_185 > 0.0) ? min(_185, 1.0) : 0.0, 1.0), 255.0), _106, 0.0, 0.0));
-        break;
-    } while(false);
+    vec2 _77 = vec2(gl_GlobalInvocationID.xy) + vec2(0.5);
+    vec2 _81 = _77 * parameters.gOutputSize.zw;
+    vec4 _89 = textureLod(gInCoarseDepth, _81, 0.0);
+    float _90 = _89.x;
+    vec2 _91 = textureLod(gInFresh, _81, 0.0).xy;
+    vec2 _94 = mix(vec2(0.0), _91, lessThanEqual(abs(_91), vec2(65504.0)));
+    float _98 = ((_90 > 0.0) && (_90 < 65504.0)) ? _90 : 65504.0;
+    vec4 _110 = parameters.gViewToPreviousClip * vec4(fma(_81, parameters.gViewRay.xy, parameters.gViewRay.zw) * _98, _98, 1.0);
+    float _113 = _110.w;
+    vec2 _118 = fma(_110.xy * (1.0 / _113), vec2(0.5, -0.5), vec2(0.5));
+    vec2 _124 = mix(vec2(-8.0), _118, bvec2((_113 > 0.0) && all(lessThanEqual(abs(_118), vec2(8.0)))));
+    float _126 = dot(_110.zw, parameters.gClipToDepth);
+    vec2 _132 = _124 * parameters.gFrameToCoarse;
+    vec4 _136 = textureLod(gHistoryCacheStateFiltered, _132, 0.0);
+    vec2 _141 = textureLod(gHistoryCacheFiltered, _132, 0.0).xy;
+    float _143 = _136.x;
+    float _146 = (_143 > 0.0) ? min(_143, 255.0) : 0.0;
+    float _152 = max(fma(parameters.gMissThreshold.y, _98, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    float _158 = _152 - abs(((abs(_126) <= 9.9999996802856924650656260769173e+37) ? _126 : 0.0) - _136.y);
+    float _161 = (_158 > 0.0) ? (_158 * (parameters.gConvergenceTime / _152)) : 0.0;
+    vec2 _173 = abs(_141);
+    float _177 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(_173, vec2(65504.0)))) ? (((_161 > 0.0) && all(lessThanEqual(abs(fma(_124, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_161, 1.0) : 0.0) : 0.0;
+    float _190 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _192 = parameters.gSpeedPx.y - abs(length(fma(_77, parameters.gOutputSize.zw, -_132) * parameters.gOutputSize.xy));
+    float _196 = ((_192 > 0.0) ? min(_192, _190) : 0.0) / _190;
+    float _199 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _204 = _146 * _177;
+    float _207 = (_204 > 0.0) ? min(_204, 255.0) : 0.0;
+    float _211 = min(min(_207 / (_207 + 1.0), _199), ((_199 * _196) * _196) * fma(-2.0, _196, 3.0));
+    vec2 _216 = mix(vec2(0.0), _94, bvec2(all(lessThanEqual(abs(_94), vec2(9.9999996802856924650656260769173e+37)))));
+    vec2 _227 = mix(_94, mix(_216, _216 + ((_141 - _216) * clamp(_211, 0.0, 1.0)), bvec2(all(lessThanEqual(_173, vec2(9.9999996802856924650656260769173e+37))))), bvec2(_211 > 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4(_227, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_146 > 0.0) ? min(_146, 255.0) : 0.0, (_177 > 0.0) ? min(_177, 1.0) : 0.0, 1.0), 255.0), _98, 0.0, 0.0));
 }
 

@@ -43,7 +43,6 @@ BINDING(16) RWTexture2D<float4> gOutOcclusion;
 // Wide groups: samples lie up to gRadius away, and more of them in what the group has read.
 [numthreads(32, 32, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
-    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
     gOutOcclusion[thread.xy] = float4(ambientOcclusion(float2(thread.xy) + 0.5), 0.0, 0.0);
 }
 

@@ -172,14 +172,9 @@ float4 filteredOfLine(Tap texels[10], int centre, float frames) {
 
 BINDING(16) RWTexture2D<float4> gOutFiltered;
 
-void store(int2 texel, float4 filtered) {
-    if (all(texel < int2(gOutputSize.xy))) gOutFiltered[texel] = filtered;
-}
-
 [numthreads(16, 16, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
     int2 first = 2 * int2(thread.xy);
-    if (any(first >= int2(gOutputSize.xy))) return;
 #if GATHERS
     // Two lines of ten texels: rows where the direction is across, else columns.
     bool isAcross = gDirection.x > gDirection.y;
@@ -199,14 +194,14 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
     }
     float4 frames = GATHER_RED(gInCacheState, pxToUv(float2(first) + 1.0, gOutputSize.zw));
     int2 along = isAcross ? int2(1, 0) : int2(0, 1);
-    store(first, filteredOfLine(near, 4, frames.w));
-    store(first + along, filteredOfLine(near, 5, isAcross ? frames.z : frames.x));
-    store(first + along.yx, filteredOfLine(far, 4, isAcross ? frames.x : frames.z));
-    store(first + 1, filteredOfLine(far, 5, frames.y));
+    gOutFiltered[first] = filteredOfLine(near, 4, frames.w);
+    gOutFiltered[first + along] = filteredOfLine(near, 5, isAcross ? frames.z : frames.x);
+    gOutFiltered[first + along.yx] = filteredOfLine(far, 4, isAcross ? frames.x : frames.z);
+    gOutFiltered[first + 1] = filteredOfLine(far, 5, frames.y);
 #else
     [unroll] for (int i = 0; i < 4; ++i) {
         int2 texel = first + int2(i % 2, i / 2);
-        store(texel, filteredTexel(pxToUv(float2(texel) + 0.5, gOutputSize.zw)));
+        gOutFiltered[texel] = filteredTexel(pxToUv(float2(texel) + 0.5, gOutputSize.zw));
     }
 #endif
 }

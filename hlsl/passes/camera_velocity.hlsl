@@ -37,7 +37,6 @@ BINDING(16) RWTexture2D<float4> gOutVelocity;
 
 [numthreads(16, 16, 1)]   // 8x8 take a GPU almost twice as long
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
-    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
     float2 uv = pxToUv(float2(thread.xy) + 0.5, gOutputSize.zw);
     gOutVelocity[thread.xy] = float4(cameraMotion(uv, SAMPLE(gInDepth, uv).r), 0.0, 0.0);
 }

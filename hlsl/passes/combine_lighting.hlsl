@@ -61,7 +61,6 @@ BINDING(16) RWTexture2D<float4> gOutLit;
 
 [numthreads(16, 16, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
-    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
     gOutLit[thread.xy] = litColour(pxToUv(float2(thread.xy) + 0.5, gOutputSize.zw));
 }
 

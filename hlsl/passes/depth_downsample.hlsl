@@ -137,7 +137,6 @@ BINDING(17) RWTexture2D<float4> gOutHalfDepth;
 
 [numthreads(16, 16, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
-    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
     float4 depth = float4(coarseDepth(float2(thread.xy) + 0.5), 0.0, 0.0, 0.0);
     gOutCoarseDepth[thread.xy] = depth;
 #if HALF_DEPTH

@@ -63,7 +63,6 @@ BINDING(16) RWTexture2D<float4> gOutDepthHierarchy;
 
 [numthreads(16, 16, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
-    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
     gOutDepthHierarchy[thread.xy] = float4(depthAt(float2(thread.xy) + 0.5), 0.0, 0.0, 0.0);
 }
 

@@ -151,7 +151,6 @@ void mainCompute(uint3 thread : SV_DispatchThreadID, uint3 local : SV_GroupThrea
 #if CHANGE_DETECTION && !HISTORY_NONE
     fresh.around = surroundingsOf(int2(local.xy), fresh.values);
 #endif
-    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
     CacheTexel texel = cachedTexel(pxToUv(positionPx, gOutputSize.zw), fresh);
     gOutCache[thread.xy] = texel.values;
     gOutCacheState[thread.xy] = texel.state;

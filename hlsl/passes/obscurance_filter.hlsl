@@ -53,7 +53,6 @@ BINDING(16) RWTexture2D<float4> gOutFilteredObscurance;
 
 [numthreads(16, 16, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
-    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
     gOutFilteredObscurance[thread.xy] = filteredTexel(pxToUv(float2(thread.xy) + 0.5, gOutputSize.zw));
 }
 

@@ -125,7 +125,6 @@ BINDING(17) RWTexture2D<float4> gOutCacheState;
 
 [numthreads(16, 16, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
-    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
     CacheTexel texel = cachedTexel(float2(thread.xy) + 0.5);
     gOutCache[thread.xy] = texel.values;
     gOutCacheState[thread.xy] = texel.state;

@@ -289,7 +289,6 @@ BINDING(16) RWTexture2D<float4> gOutObscurance;
 
 [numthreads(16, 16, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
-    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
     gOutObscurance[thread.xy] = obscurance(float2(thread.xy) + 0.5);
 }
 

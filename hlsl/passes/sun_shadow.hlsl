@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft shadows of the sun from a cascaded shadow map with few samples a frame, for the framework to
-// accumulate: Drobot, 7.3, "Soft Shadows" (D9). Packed with occlusion: the section after it (D10).
+// Soft shadows of the sun with few samples a frame, for the framework to accumulate. Drobot, 7.3 (D9, D10)
 // gInCoarseDepth  linear depth in metres: coarse_depth.hlsli; at full resolution the frame's own
 // gInShadowMap    R32F or D32F, depth from the sun in [0,1], in CASCADES equal columns. NaN shadows nothing
 // gInOcclusion    VALUES other than one: gOutOcclusion of ambient_occlusion, at the same texels
@@ -57,7 +56,6 @@ BINDING(16) RWTexture2D<float4> gOutShadow;
 
 [numthreads(16, 16, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
-    if (any(thread.xy >= uint2(gOutputSize.xy))) return;
     gOutShadow[thread.xy] = float4(sunShadow(float2(thread.xy) + 0.5), 0.0, 0.0);
 }
 

@@ -11,7 +11,6 @@
 // gOutColour      what is shown, with MOTION_BLUR_FALLBACK
 // Colours are [0, 65504] in any float or unorm format; NaN, infinity and negatives are read as finite
 // colours, so none reaches an output. Motion that is NaN or leaves the image drops history for that pixel.
-// In compute gOutHistory and gOutColour have the extent gOutputSize: threads beyond it store nothing there.
 // Longer than 250 lines: one body with three ways to read the neighbourhood (pixel alone, quad, column).
 
 // The box compares colours as integers where none is negative.
@@ -354,7 +353,6 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
     float2 side = float2(quadSide(float2(firstPixel)).x, 1.0);   // every thread of a subgroup runs to its end
 #else
     float2 side = float2(1.0, 1.0);
-    if (any(firstPixel >= uint2(gOutputSize.xy))) return;
 #endif
 
     float2 motions[COLUMN];

@@ -126,31 +126,24 @@ std::string fragmentEntry(uint32_t outputs) {
     return text + "    return outputs;\n}\n";
 }
 
-std::string computeEntry(const reprise::PassInfo& pass, const reprisec::Reflection& reflection,
-                         uint32_t width, uint32_t height) {
+// As in the passes, what lies beyond the image is dropped by it.
+std::string computeEntry(const reprise::PassInfo& pass, const reprisec::Reflection& reflection) {
     const uint32_t px = pass.pixelsPerThread[0], py = pass.pixelsPerThread[1];
     std::string text =
         fmt::format("[numthreads({}, {}, 1)]\nvoid mainCompute(uint3 thread : SV_DispatchThreadID) {{\n"
-                    "    uint2 first = thread.xy * uint2({}, {}), size = uint2({}, {});\n"
-                    "    if (any(first >= size)) return;\n"
+                    "    uint2 first = thread.xy * uint2({}, {});\n"
                     "    float4 sum = readAll((float2(first) + 0.5) * gTexel);\n",
-                    pass.threads[0], pass.threads[1], px, py, width, height);
+                    pass.threads[0], pass.threads[1], px, py);
     for (uint32_t y = 0; y < py; ++y)
-        for (uint32_t x = 0; x < px; ++x) {
-            text += fmt::format("    uint2 p{0}{1} = first + uint2({0}, {1});\n"
-                                "    if (all(p{0}{1} < size)) {{\n",
-                                x, y);
+        for (uint32_t x = 0; x < px; ++x)
             for (const BindingUse& use : reflection.bindings)
                 if (use.kind == BindingKind::storageImage)
-                    text += fmt::format("        {}[p{}{}] = sum;\n", use.name, x, y);
-            text += "    }\n";
-        }
+                    text += fmt::format("    {}[first + uint2({}, {})] = sum;\n", use.name, x, y);
     return text + "}\n";
 }
 
-std::string entry(const reprise::PassInfo& pass, Stage stage, const reprisec::Reflection& reflection,
-                  uint32_t width, uint32_t height) {
-    return stage == Stage::compute ? computeEntry(pass, reflection, width, height)
+std::string entry(const reprise::PassInfo& pass, Stage stage, const reprisec::Reflection& reflection) {
+    return stage == Stage::compute ? computeEntry(pass, reflection)
                                    : fragmentEntry(std::max(1u, reflection.colourOutputs));
 }
 
@@ -167,7 +160,7 @@ reprisec::Reflection simpleReflection(Stage stage) {
 std::string simpleSource(Stage stage, uint32_t width, uint32_t height, std::string_view body) {
     const auto reflection = simpleReflection(stage);
     return declarations(reflection) + constants(width, height) + std::string(body) +
-           entry(simpleFloorPass(), stage, reflection, width, height);
+           entry(simpleFloorPass(), stage, reflection);
 }
 
 } // namespace
@@ -209,8 +202,7 @@ std::string floorSource(const reprise::Variant& variant, Stage stage, const repr
     for (const BindingUse& use : reflection.bindings)
         if (use.kind == BindingKind::sampledImage)
             text += readsOf(pass, use, stage == Stage::compute ? pass.pixelsPerThread : one);
-    return text + fmt::format("    return {};\n}}\n", foldedSum(variant)) +
-           entry(pass, stage, reflection, width, height);
+    return text + fmt::format("    return {};\n}}\n", foldedSum(variant)) + entry(pass, stage, reflection);
 }
 
 std::string copySource(Stage stage, uint32_t width, uint32_t height) {
