@@ -5,10 +5,10 @@
 #define REPRISE_ACCUMULATION_HLSLI
 
 #include "passes/cached_values.hlsli"
-#include "reprise/cache_resampling.hlsli"
 #include "reprise/coordinates.hlsli"
 #include "reprise/depth.hlsli"
 #include "reprise/exponential_history.hlsli"
+#include "reprise/finite.hlsli"
 #include "reprise/platform.hlsli"
 #include "reprise/reprojection_cache.hlsli"
 

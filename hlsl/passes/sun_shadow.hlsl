@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft shadows of the sun with few samples a frame, for the framework to accumulate. Drobot, 7.3 (D9, D10)
+// Soft shadows of the sun with few samples a frame, for the framework to accumulate. Drobot, 7.3 (D9, D10).
 // gInCoarseDepth  linear depth in metres: coarse_depth.hlsli; at full resolution the frame's own
 // gInShadowMap    R32F or D32F, depth from the sun in [0,1], in CASCADES equal columns. NaN shadows nothing
 // gInOcclusion    VALUES other than one: gOutOcclusion of ambient_occlusion, at the same texels
-// gOutShadow      RG16F: visibility, or packed with occlusion; depth in metres. VALUES two: occlusion, shadow
+// gOutShadow      RG16F: visibility [0,1] or packed pair; linear depth, metres. VALUES two: occlusion, shadow
 
 #include "reprise/occlusion_shadow_packing.hlsli"
 #include "reprise/platform.hlsli"
