@@ -44,8 +44,8 @@ layout(binding = 0, std140) uniform LightingCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 shared float gsFresh[256];
 shared Moments gsRow[256];
@@ -178,26 +178,26 @@ void main()
     vec2 _621 = mix(vec2(-8.0), _615, bvec2((_610 > 0.0) && all(lessThanEqual(abs(_615), vec2(8.0)))));
     float _623 = dot(_607.zw, parameters.gClipToDepth);
     vec2 _629 = _621 * parameters.gFrameToCoarse;
-    vec4 _633 = textureLod(gHistoryCacheStateFiltered, _629, 0.0);
-    vec4 _637 = textureLod(gHistoryCacheFiltered, _629, 0.0);
-    float _638 = _637.x;
-    float _640 = _633.x;
-    float _643 = (_640 > 0.0) ? min(_640, 255.0) : 0.0;
-    float _649 = max(fma(parameters.gMissThreshold.y, _141, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _655 = _649 - abs(((abs(_623) <= 9.9999996802856924650656260769173e+37) ? _623 : 0.0) - _637.y);
-    float _658 = (_655 > 0.0) ? (_655 * (parameters.gConvergenceTime / _649)) : 0.0;
-    float _670 = abs(_638);
+    float _635 = max(fma(parameters.gMissThreshold.y, _141, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _639 = textureLod(gHistoryCacheFiltered, _629, 0.0);
+    vec4 _643 = textureLod(gHistoryCacheStateFiltered, _629, 0.0);
+    float _644 = _639.x;
+    float _645 = _643.x;
+    float _648 = (_645 > 0.0) ? min(_645, 255.0) : 0.0;
+    float _655 = _635 - abs(((abs(_623) <= 9.9999996802856924650656260769173e+37) ? _623 : 0.0) - _639.y);
+    float _658 = (_655 > 0.0) ? (_655 * (parameters.gConvergenceTime / _635)) : 0.0;
+    float _670 = abs(_644);
     float _673 = ((parameters.gHistoryValid > 0.5) && (_670 <= 65504.0)) ? (((_658 > 0.0) && all(lessThanEqual(abs(fma(_621, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_658, 1.0) : 0.0) : 0.0;
-    float _687 = (_673 > 0.0) ? (_673 * clamp(2.0 - (abs(_638 - _593) / max(fma(parameters.gChange.x, sqrt(max(fma(-_593, _593, fma(_589, gsRow[_590].square, fma(_581, gsRow[_582].square, fma(_565, gsRow[_566].square, _571 * gsRow[_572].square)))), 0.0)), parameters.gChange.y), 9.9999997473787516355514526367188e-05)), 0.0, 1.0)) : 0.0;
+    float _687 = (_673 > 0.0) ? (_673 * clamp(2.0 - (abs(_644 - _593) / max(fma(parameters.gChange.x, sqrt(max(fma(-_593, _593, fma(_589, gsRow[_590].square, fma(_581, gsRow[_582].square, fma(_565, gsRow[_566].square, _571 * gsRow[_572].square)))), 0.0)), parameters.gChange.y), 9.9999997473787516355514526367188e-05)), 0.0, 1.0)) : 0.0;
     float _699 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _701 = parameters.gSpeedPx.y - abs(length(fma(_125, parameters.gOutputSize.zw, -_629) * parameters.gOutputSize.xy));
     float _705 = ((_701 > 0.0) ? min(_701, _699) : 0.0) / _699;
     float _708 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _713 = _643 * _687;
+    float _713 = _648 * _687;
     float _716 = (_713 > 0.0) ? min(_713, 255.0) : 0.0;
     float _720 = min(min(_716 / (_716 + 1.0), _708), ((_708 * _705) * _705) * fma(-2.0, _705, 3.0));
     float _723 = (abs(_490) <= 9.9999996802856924650656260769173e+37) ? _490 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_720 > 0.0) ? ((_670 <= 9.9999996802856924650656260769173e+37) ? fma(_638 - _723, clamp(_720, 0.0, 1.0), _723) : _723) : _490, _141, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_643 > 0.0) ? min(_643, 255.0) : 0.0, (_687 > 0.0) ? min(_687, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_720 > 0.0) ? ((_670 <= 9.9999996802856924650656260769173e+37) ? fma(_644 - _723, clamp(_720, 0.0, 1.0), _723) : _723) : _490, _141, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_648 > 0.0) ? min(_648, 255.0) : 0.0, (_687 > 0.0) ? min(_687, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

@@ -39,8 +39,8 @@ layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
 layout(binding = 8) uniform sampler2D gInShadowMap;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -187,25 +187,25 @@ void main()
     vec2 _817 = mix(vec2(-8.0), _811, bvec2((_806 > 0.0) && all(lessThanEqual(abs(_811), vec2(8.0)))));
     float _819 = dot(_803.zw, parameters.gClipToDepth);
     vec2 _825 = _817 * parameters.gFrameToCoarse;
-    vec4 _829 = textureLod(gHistoryCacheStateFiltered, _825, 0.0);
-    vec4 _833 = textureLod(gHistoryCacheFiltered, _825, 0.0);
-    float _834 = _833.x;
-    float _836 = _829.x;
-    float _839 = (_836 > 0.0) ? min(_836, 255.0) : 0.0;
-    float _845 = max(fma(parameters.gMissThreshold.y, _145, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _851 = _845 - abs(((abs(_819) <= 9.9999996802856924650656260769173e+37) ? _819 : 0.0) - _833.y);
-    float _854 = (_851 > 0.0) ? (_851 * (parameters.gConvergenceTime / _845)) : 0.0;
-    float _866 = abs(_834);
+    float _831 = max(fma(parameters.gMissThreshold.y, _145, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _835 = textureLod(gHistoryCacheFiltered, _825, 0.0);
+    vec4 _839 = textureLod(gHistoryCacheStateFiltered, _825, 0.0);
+    float _840 = _835.x;
+    float _841 = _839.x;
+    float _844 = (_841 > 0.0) ? min(_841, 255.0) : 0.0;
+    float _851 = _831 - abs(((abs(_819) <= 9.9999996802856924650656260769173e+37) ? _819 : 0.0) - _835.y);
+    float _854 = (_851 > 0.0) ? (_851 * (parameters.gConvergenceTime / _831)) : 0.0;
+    float _866 = abs(_840);
     float _869 = ((parameters.gHistoryValid > 0.5) && (_866 <= 65504.0)) ? (((_854 > 0.0) && all(lessThanEqual(abs(fma(_817, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_854, 1.0) : 0.0) : 0.0;
     float _881 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _883 = parameters.gSpeedPx.y - abs(length(fma(_129, parameters.gOutputSize.zw, -_825) * parameters.gOutputSize.xy));
     float _887 = ((_883 > 0.0) ? min(_883, _881) : 0.0) / _881;
     float _890 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _895 = _839 * _869;
+    float _895 = _844 * _869;
     float _898 = (_895 > 0.0) ? min(_895, 255.0) : 0.0;
     float _902 = min(min(_898 / (_898 + 1.0), _890), ((_890 * _887) * _887) * fma(-2.0, _887, 3.0));
     float _905 = (abs(_796) <= 9.9999996802856924650656260769173e+37) ? _796 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_902 > 0.0) ? ((_866 <= 9.9999996802856924650656260769173e+37) ? fma(_834 - _905, clamp(_902, 0.0, 1.0), _905) : _905) : _796, _145, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_839 > 0.0) ? min(_839, 255.0) : 0.0, (_869 > 0.0) ? min(_869, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_902 > 0.0) ? ((_866 <= 9.9999996802856924650656260769173e+37) ? fma(_840 - _905, clamp(_902, 0.0, 1.0), _905) : _905) : _796, _145, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_844 > 0.0) ? min(_844, 255.0) : 0.0, (_869 > 0.0) ? min(_869, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

@@ -39,8 +39,8 @@ layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
 layout(binding = 8) uniform sampler2D gInShadowMap;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -131,25 +131,25 @@ void main()
     vec2 _556 = mix(vec2(-8.0), _550, bvec2((_545 > 0.0) && all(lessThanEqual(abs(_550), vec2(8.0)))));
     float _558 = dot(_542.zw, parameters.gClipToDepth);
     vec2 _564 = _556 * parameters.gFrameToCoarse;
-    vec4 _568 = textureLod(gHistoryCacheStateFiltered, _564, 0.0);
-    vec4 _572 = textureLod(gHistoryCacheFiltered, _564, 0.0);
-    float _573 = _572.x;
-    float _575 = _568.x;
-    float _578 = (_575 > 0.0) ? min(_575, 255.0) : 0.0;
-    float _584 = max(fma(parameters.gMissThreshold.y, _140, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _590 = _584 - abs(((abs(_558) <= 9.9999996802856924650656260769173e+37) ? _558 : 0.0) - _572.y);
-    float _593 = (_590 > 0.0) ? (_590 * (parameters.gConvergenceTime / _584)) : 0.0;
-    float _605 = abs(_573);
+    float _570 = max(fma(parameters.gMissThreshold.y, _140, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _574 = textureLod(gHistoryCacheFiltered, _564, 0.0);
+    vec4 _578 = textureLod(gHistoryCacheStateFiltered, _564, 0.0);
+    float _579 = _574.x;
+    float _580 = _578.x;
+    float _583 = (_580 > 0.0) ? min(_580, 255.0) : 0.0;
+    float _590 = _570 - abs(((abs(_558) <= 9.9999996802856924650656260769173e+37) ? _558 : 0.0) - _574.y);
+    float _593 = (_590 > 0.0) ? (_590 * (parameters.gConvergenceTime / _570)) : 0.0;
+    float _605 = abs(_579);
     float _608 = ((parameters.gHistoryValid > 0.5) && (_605 <= 65504.0)) ? (((_593 > 0.0) && all(lessThanEqual(abs(fma(_556, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_593, 1.0) : 0.0) : 0.0;
     float _620 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _622 = parameters.gSpeedPx.y - abs(length(fma(_124, parameters.gOutputSize.zw, -_564) * parameters.gOutputSize.xy));
     float _626 = ((_622 > 0.0) ? min(_622, _620) : 0.0) / _620;
     float _629 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _634 = _578 * _608;
+    float _634 = _583 * _608;
     float _637 = (_634 > 0.0) ? min(_634, 255.0) : 0.0;
     float _641 = min(min(_637 / (_637 + 1.0), _629), ((_629 * _626) * _626) * fma(-2.0, _626, 3.0));
     float _644 = (abs(_530) <= 9.9999996802856924650656260769173e+37) ? _530 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_641 > 0.0) ? ((_605 <= 9.9999996802856924650656260769173e+37) ? fma(_573 - _644, clamp(_641, 0.0, 1.0), _644) : _644) : _530, _140, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_578 > 0.0) ? min(_578, 255.0) : 0.0, (_608 > 0.0) ? min(_608, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_641 > 0.0) ? ((_605 <= 9.9999996802856924650656260769173e+37) ? fma(_579 - _644, clamp(_641, 0.0, 1.0), _644) : _644) : _530, _140, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_583 > 0.0) ? min(_583, 255.0) : 0.0, (_608 > 0.0) ? min(_608, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

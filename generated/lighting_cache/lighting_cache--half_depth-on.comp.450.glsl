@@ -39,8 +39,8 @@ layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
 layout(binding = 9) uniform sampler2D gInHalfDepth;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -135,25 +135,25 @@ void main()
     vec2 _483 = mix(vec2(-8.0), _477, bvec2((_472 > 0.0) && all(lessThanEqual(abs(_477), vec2(8.0)))));
     float _485 = dot(_469.zw, parameters.gClipToDepth);
     vec2 _491 = _483 * parameters.gFrameToCoarse;
-    vec4 _495 = textureLod(gHistoryCacheStateFiltered, _491, 0.0);
-    vec4 _499 = textureLod(gHistoryCacheFiltered, _491, 0.0);
-    float _500 = _499.x;
-    float _502 = _495.x;
-    float _505 = (_502 > 0.0) ? min(_502, 255.0) : 0.0;
-    float _511 = max(fma(parameters.gMissThreshold.y, _111, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _517 = _511 - abs(((abs(_485) <= 9.9999996802856924650656260769173e+37) ? _485 : 0.0) - _499.y);
-    float _520 = (_517 > 0.0) ? (_517 * (parameters.gConvergenceTime / _511)) : 0.0;
-    float _532 = abs(_500);
+    float _497 = max(fma(parameters.gMissThreshold.y, _111, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _501 = textureLod(gHistoryCacheFiltered, _491, 0.0);
+    vec4 _505 = textureLod(gHistoryCacheStateFiltered, _491, 0.0);
+    float _506 = _501.x;
+    float _507 = _505.x;
+    float _510 = (_507 > 0.0) ? min(_507, 255.0) : 0.0;
+    float _517 = _497 - abs(((abs(_485) <= 9.9999996802856924650656260769173e+37) ? _485 : 0.0) - _501.y);
+    float _520 = (_517 > 0.0) ? (_517 * (parameters.gConvergenceTime / _497)) : 0.0;
+    float _532 = abs(_506);
     float _535 = ((parameters.gHistoryValid > 0.5) && (_532 <= 65504.0)) ? (((_520 > 0.0) && all(lessThanEqual(abs(fma(_483, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_520, 1.0) : 0.0) : 0.0;
     float _547 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _549 = parameters.gSpeedPx.y - abs(length(fma(_95, parameters.gOutputSize.zw, -_491) * parameters.gOutputSize.xy));
     float _553 = ((_549 > 0.0) ? min(_549, _547) : 0.0) / _547;
     float _556 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _561 = _505 * _535;
+    float _561 = _510 * _535;
     float _564 = (_561 > 0.0) ? min(_561, 255.0) : 0.0;
     float _568 = min(min(_564 / (_564 + 1.0), _556), ((_556 * _553) * _553) * fma(-2.0, _553, 3.0));
     float _571 = (abs(_462) <= 9.9999996802856924650656260769173e+37) ? _462 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_568 > 0.0) ? ((_532 <= 9.9999996802856924650656260769173e+37) ? fma(_500 - _571, clamp(_568, 0.0, 1.0), _571) : _571) : _462, _111, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_505 > 0.0) ? min(_505, 255.0) : 0.0, (_535 > 0.0) ? min(_535, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_568 > 0.0) ? ((_532 <= 9.9999996802856924650656260769173e+37) ? fma(_506 - _571, clamp(_568, 0.0, 1.0), _571) : _571) : _462, _111, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_510 > 0.0) ? min(_510, 255.0) : 0.0, (_535 > 0.0) ? min(_535, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

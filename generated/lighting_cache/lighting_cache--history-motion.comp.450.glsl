@@ -39,8 +39,8 @@ layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
 layout(binding = 2) uniform sampler2D gInVelocity;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -135,25 +135,25 @@ void main()
     vec2 _490 = fma(-textureLod(gInVelocity, _464 - ((parameters.gOutputSize.zw * 0.125) / parameters.gFrameToCoarse), 0.0).xy, parameters.gMotionToUv, _464);
     vec2 _495 = mix(vec2(-8.0), _490, bvec2(all(lessThanEqual(abs(_490), vec2(8.0)))));
     vec2 _499 = _495 * parameters.gFrameToCoarse;
-    vec4 _503 = textureLod(gHistoryCacheStateFiltered, _499, 0.0);
-    vec4 _507 = textureLod(gHistoryCacheFiltered, _499, 0.0);
-    float _508 = _507.x;
-    float _510 = _503.x;
-    float _513 = (_510 > 0.0) ? min(_510, 255.0) : 0.0;
-    float _519 = max(fma(parameters.gMissThreshold.y, _112, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _525 = _519 - abs(((abs(_478) <= 9.9999996802856924650656260769173e+37) ? _478 : 0.0) - _507.y);
-    float _528 = (_525 > 0.0) ? (_525 * (parameters.gConvergenceTime / _519)) : 0.0;
-    float _540 = abs(_508);
+    float _505 = max(fma(parameters.gMissThreshold.y, _112, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _509 = textureLod(gHistoryCacheFiltered, _499, 0.0);
+    vec4 _513 = textureLod(gHistoryCacheStateFiltered, _499, 0.0);
+    float _514 = _509.x;
+    float _515 = _513.x;
+    float _518 = (_515 > 0.0) ? min(_515, 255.0) : 0.0;
+    float _525 = _505 - abs(((abs(_478) <= 9.9999996802856924650656260769173e+37) ? _478 : 0.0) - _509.y);
+    float _528 = (_525 > 0.0) ? (_525 * (parameters.gConvergenceTime / _505)) : 0.0;
+    float _540 = abs(_514);
     float _543 = ((parameters.gHistoryValid > 0.5) && (_540 <= 65504.0)) ? (((_528 > 0.0) && all(lessThanEqual(abs(fma(_495, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_528, 1.0) : 0.0) : 0.0;
     float _555 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _557 = parameters.gSpeedPx.y - abs(length(fma(_96, parameters.gOutputSize.zw, -_499) * parameters.gOutputSize.xy));
     float _561 = ((_557 > 0.0) ? min(_557, _555) : 0.0) / _555;
     float _564 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _569 = _513 * _543;
+    float _569 = _518 * _543;
     float _572 = (_569 > 0.0) ? min(_569, 255.0) : 0.0;
     float _576 = min(min(_572 / (_572 + 1.0), _564), ((_564 * _561) * _561) * fma(-2.0, _561, 3.0));
     float _579 = (abs(_461) <= 9.9999996802856924650656260769173e+37) ? _461 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_576 > 0.0) ? ((_540 <= 9.9999996802856924650656260769173e+37) ? fma(_508 - _579, clamp(_576, 0.0, 1.0), _579) : _579) : _461, _112, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_513 > 0.0) ? min(_513, 255.0) : 0.0, (_543 > 0.0) ? min(_543, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_576 > 0.0) ? ((_540 <= 9.9999996802856924650656260769173e+37) ? fma(_514 - _579, clamp(_576, 0.0, 1.0), _579) : _579) : _461, _112, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_518 > 0.0) ? min(_518, 255.0) : 0.0, (_543 > 0.0) ? min(_543, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

@@ -38,8 +38,8 @@ layout(binding = 0, std140) uniform LightingCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
-layout(binding = 5) uniform sampler2D gHistoryCacheState;
 layout(binding = 3) uniform sampler2D gHistoryCache;
+layout(binding = 5) uniform sampler2D gHistoryCacheState;
 
 void main()
 {
@@ -127,25 +127,25 @@ void main()
     float _434 = _419 - ((_430 > 0.0) ? min(_430, 65504.0) : 65504.0);
     vec2 _444 = ((mix(vec2(0.0), vec2(clamp(fma(_306, _211, -1.0), 0.0, 1.0) * clamp(fma(-_306, _289, 2.0), 0.0, 1.0), 1.0), bvec2((_291 > 0.0) && all(lessThanEqual(abs(_293 - vec2(0.5)), vec2(0.5))))) + mix(vec2(0.0), vec2(clamp(fma(_348, _211, -1.0), 0.0, 1.0) * clamp(fma(-_348, _289, 2.0), 0.0, 1.0), 1.0), bvec2((_333 > 0.0) && all(lessThanEqual(abs(_335 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_391, _211, -1.0), 0.0, 1.0) * clamp(fma(-_391, _289, 2.0), 0.0, 1.0), 1.0), bvec2((_376 > 0.0) && all(lessThanEqual(abs(_378 - vec2(0.5)), vec2(0.5)))))) + mix(vec2(0.0), vec2(clamp(fma(_434, _211, -1.0), 0.0, 1.0) * clamp(fma(-_434, _289, 2.0), 0.0, 1.0), 1.0), bvec2((_419 > 0.0) && all(lessThanEqual(abs(_421 - vec2(0.5)), vec2(0.5)))));
     float _451 = (_102 < 65504.0) ? (1.0 - (_444.x / max(_444.y, 1.0))) : 1.0;
-    vec4 _455 = textureLod(gHistoryCacheState, _88, 0.0);
-    vec4 _459 = textureLod(gHistoryCache, _88, 0.0);
-    float _460 = _459.x;
-    float _462 = _455.x;
-    float _465 = (_462 > 0.0) ? min(_462, 255.0) : 0.0;
-    float _471 = max(fma(parameters.gMissThreshold.y, _102, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _477 = _471 - abs(_102 - _459.y);
-    float _480 = (_477 > 0.0) ? (_477 * (parameters.gConvergenceTime / _471)) : 0.0;
-    float _492 = abs(_460);
+    float _457 = max(fma(parameters.gMissThreshold.y, _102, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _461 = textureLod(gHistoryCache, _88, 0.0);
+    vec4 _465 = textureLod(gHistoryCacheState, _88, 0.0);
+    float _466 = _461.x;
+    float _467 = _465.x;
+    float _470 = (_467 > 0.0) ? min(_467, 255.0) : 0.0;
+    float _477 = _457 - abs(_102 - _461.y);
+    float _480 = (_477 > 0.0) ? (_477 * (parameters.gConvergenceTime / _457)) : 0.0;
+    float _492 = abs(_466);
     float _495 = ((parameters.gHistoryValid > 0.5) && (_492 <= 65504.0)) ? (((_480 > 0.0) && all(lessThanEqual(abs(fma(_86, parameters.gOutputSize.zw, vec2(-0.5))), vec2(0.5)))) ? min(_480, 1.0) : 0.0) : 0.0;
     float _507 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _509 = parameters.gSpeedPx.y - abs(length(fma(_86, parameters.gOutputSize.zw, -_88) * parameters.gOutputSize.xy));
     float _513 = ((_509 > 0.0) ? min(_509, _507) : 0.0) / _507;
     float _516 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _521 = _465 * _495;
+    float _521 = _470 * _495;
     float _524 = (_521 > 0.0) ? min(_521, 255.0) : 0.0;
     float _528 = min(min(_524 / (_524 + 1.0), _516), ((_516 * _513) * _513) * fma(-2.0, _513, 3.0));
     float _531 = (abs(_451) <= 9.9999996802856924650656260769173e+37) ? _451 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_528 > 0.0) ? ((_492 <= 9.9999996802856924650656260769173e+37) ? fma(_460 - _531, clamp(_528, 0.0, 1.0), _531) : _531) : _451, _102, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_465 > 0.0) ? min(_465, 255.0) : 0.0, (_495 > 0.0) ? min(_495, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_528 > 0.0) ? ((_492 <= 9.9999996802856924650656260769173e+37) ? fma(_466 - _531, clamp(_528, 0.0, 1.0), _531) : _531) : _451, _102, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_470 > 0.0) ? min(_470, 255.0) : 0.0, (_495 > 0.0) ? min(_495, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

@@ -39,8 +39,8 @@ layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
 layout(binding = 7) uniform sampler2D gInNormal;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -119,25 +119,25 @@ void main()
     vec2 _435 = mix(vec2(-8.0), _429, bvec2((_424 > 0.0) && all(lessThanEqual(abs(_429), vec2(8.0)))));
     float _437 = dot(_421.zw, parameters.gClipToDepth);
     vec2 _441 = _435 * parameters.gFrameToCoarse;
-    vec4 _445 = textureLod(gHistoryCacheStateFiltered, _441, 0.0);
-    vec4 _449 = textureLod(gHistoryCacheFiltered, _441, 0.0);
-    float _450 = _449.x;
-    float _452 = _445.x;
-    float _455 = (_452 > 0.0) ? min(_452, 255.0) : 0.0;
-    float _461 = max(fma(parameters.gMissThreshold.y, _108, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _467 = _461 - abs(((abs(_437) <= 9.9999996802856924650656260769173e+37) ? _437 : 0.0) - _449.y);
-    float _470 = (_467 > 0.0) ? (_467 * (parameters.gConvergenceTime / _461)) : 0.0;
-    float _482 = abs(_450);
+    float _447 = max(fma(parameters.gMissThreshold.y, _108, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _451 = textureLod(gHistoryCacheFiltered, _441, 0.0);
+    vec4 _455 = textureLod(gHistoryCacheStateFiltered, _441, 0.0);
+    float _456 = _451.x;
+    float _457 = _455.x;
+    float _460 = (_457 > 0.0) ? min(_457, 255.0) : 0.0;
+    float _467 = _447 - abs(((abs(_437) <= 9.9999996802856924650656260769173e+37) ? _437 : 0.0) - _451.y);
+    float _470 = (_467 > 0.0) ? (_467 * (parameters.gConvergenceTime / _447)) : 0.0;
+    float _482 = abs(_456);
     float _485 = ((parameters.gHistoryValid > 0.5) && (_482 <= 65504.0)) ? (((_470 > 0.0) && all(lessThanEqual(abs(fma(_435, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_470, 1.0) : 0.0) : 0.0;
     float _497 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _499 = parameters.gSpeedPx.y - abs(length(fma(_98, parameters.gOutputSize.zw, -_441) * parameters.gOutputSize.xy));
     float _503 = ((_499 > 0.0) ? min(_499, _497) : 0.0) / _497;
     float _506 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _511 = _455 * _485;
+    float _511 = _460 * _485;
     float _514 = (_511 > 0.0) ? min(_511, 255.0) : 0.0;
     float _518 = min(min(_514 / (_514 + 1.0), _506), ((_506 * _503) * _503) * fma(-2.0, _503, 3.0));
     float _521 = (abs(_413) <= 9.9999996802856924650656260769173e+37) ? _413 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_518 > 0.0) ? ((_482 <= 9.9999996802856924650656260769173e+37) ? fma(_450 - _521, clamp(_518, 0.0, 1.0), _521) : _521) : _413, _108, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_455 > 0.0) ? min(_455, 255.0) : 0.0, (_485 > 0.0) ? min(_485, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_518 > 0.0) ? ((_482 <= 9.9999996802856924650656260769173e+37) ? fma(_456 - _521, clamp(_518, 0.0, 1.0), _521) : _521) : _413, _108, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_460 > 0.0) ? min(_460, 255.0) : 0.0, (_485 > 0.0) ? min(_485, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

@@ -38,8 +38,8 @@ layout(binding = 0, std140) uniform LightingCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -127,25 +127,25 @@ void main()
     vec2 _457 = mix(vec2(-8.0), _451, bvec2((_446 > 0.0) && all(lessThanEqual(abs(_451), vec2(8.0)))));
     float _459 = dot(_443.zw, parameters.gClipToDepth);
     vec2 _465 = _457 * parameters.gFrameToCoarse;
-    vec4 _469 = textureLod(gHistoryCacheStateFiltered, _465, 0.0);
-    vec4 _473 = textureLod(gHistoryCacheFiltered, _465, 0.0);
-    float _474 = _473.x;
-    float _476 = _469.x;
-    float _479 = (_476 > 0.0) ? min(_476, 255.0) : 0.0;
-    float _485 = max(fma(parameters.gMissThreshold.y, _109, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _491 = _485 - abs(((abs(_459) <= 9.9999996802856924650656260769173e+37) ? _459 : 0.0) - _473.y);
-    float _494 = (_491 > 0.0) ? (_491 * (parameters.gConvergenceTime / _485)) : 0.0;
-    float _506 = abs(_474);
+    float _471 = max(fma(parameters.gMissThreshold.y, _109, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _475 = textureLod(gHistoryCacheFiltered, _465, 0.0);
+    vec4 _479 = textureLod(gHistoryCacheStateFiltered, _465, 0.0);
+    float _480 = _475.x;
+    float _481 = _479.x;
+    float _484 = (_481 > 0.0) ? min(_481, 255.0) : 0.0;
+    float _491 = _471 - abs(((abs(_459) <= 9.9999996802856924650656260769173e+37) ? _459 : 0.0) - _475.y);
+    float _494 = (_491 > 0.0) ? (_491 * (parameters.gConvergenceTime / _471)) : 0.0;
+    float _506 = abs(_480);
     float _509 = ((parameters.gHistoryValid > 0.5) && (_506 <= 65504.0)) ? (((_494 > 0.0) && all(lessThanEqual(abs(fma(_457, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_494, 1.0) : 0.0) : 0.0;
     float _521 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _523 = parameters.gSpeedPx.y - abs(length(fma(_93, parameters.gOutputSize.zw, -_465) * parameters.gOutputSize.xy));
     float _527 = ((_523 > 0.0) ? min(_523, _521) : 0.0) / _521;
     float _530 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _535 = _479 * _509;
+    float _535 = _484 * _509;
     float _538 = (_535 > 0.0) ? min(_535, 255.0) : 0.0;
     float _542 = min(min(_538 / (_538 + 1.0), _530), ((_530 * _527) * _527) * fma(-2.0, _527, 3.0));
     float _545 = (abs(_435) <= 9.9999996802856924650656260769173e+37) ? _435 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_542 > 0.0) ? ((_506 <= 9.9999996802856924650656260769173e+37) ? fma(_474 - _545, clamp(_542, 0.0, 1.0), _545) : _545) : _435, _109, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_479 > 0.0) ? min(_479, 255.0) : 0.0, (_509 > 0.0) ? min(_509, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_542 > 0.0) ? ((_506 <= 9.9999996802856924650656260769173e+37) ? fma(_480 - _545, clamp(_542, 0.0, 1.0), _545) : _545) : _435, _109, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_484 > 0.0) ? min(_484, 255.0) : 0.0, (_509 > 0.0) ? min(_509, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

@@ -38,8 +38,8 @@ layout(binding = 0, std140) uniform LightingCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
-layout(binding = 5) uniform sampler2D gHistoryCacheState;
 layout(binding = 3) uniform sampler2D gHistoryCache;
+layout(binding = 5) uniform sampler2D gHistoryCacheState;
 
 void main()
 {
@@ -134,25 +134,25 @@ void main()
     vec2 _479 = mix(vec2(-8.0), _473, bvec2((_468 > 0.0) && all(lessThanEqual(abs(_473), vec2(8.0)))));
     float _481 = dot(_465.zw, parameters.gClipToDepth);
     vec2 _487 = _479 * parameters.gFrameToCoarse;
-    vec4 _491 = textureLod(gHistoryCacheState, _487, 0.0);
-    vec4 _495 = textureLod(gHistoryCache, _487, 0.0);
-    float _496 = _495.x;
-    float _498 = _491.x;
-    float _501 = (_498 > 0.0) ? min(_498, 255.0) : 0.0;
-    float _507 = max(fma(parameters.gMissThreshold.y, _109, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _513 = _507 - abs(((abs(_481) <= 9.9999996802856924650656260769173e+37) ? _481 : 0.0) - _495.y);
-    float _516 = (_513 > 0.0) ? (_513 * (parameters.gConvergenceTime / _507)) : 0.0;
-    float _528 = abs(_496);
+    float _493 = max(fma(parameters.gMissThreshold.y, _109, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _497 = textureLod(gHistoryCache, _487, 0.0);
+    vec4 _501 = textureLod(gHistoryCacheState, _487, 0.0);
+    float _502 = _497.x;
+    float _503 = _501.x;
+    float _506 = (_503 > 0.0) ? min(_503, 255.0) : 0.0;
+    float _513 = _493 - abs(((abs(_481) <= 9.9999996802856924650656260769173e+37) ? _481 : 0.0) - _497.y);
+    float _516 = (_513 > 0.0) ? (_513 * (parameters.gConvergenceTime / _493)) : 0.0;
+    float _528 = abs(_502);
     float _531 = ((parameters.gHistoryValid > 0.5) && (_528 <= 65504.0)) ? (((_516 > 0.0) && all(lessThanEqual(abs(fma(_479, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_516, 1.0) : 0.0) : 0.0;
     float _543 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _545 = parameters.gSpeedPx.y - abs(length(fma(_93, parameters.gOutputSize.zw, -_487) * parameters.gOutputSize.xy));
     float _549 = ((_545 > 0.0) ? min(_545, _543) : 0.0) / _543;
     float _552 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _557 = _501 * _531;
+    float _557 = _506 * _531;
     float _560 = (_557 > 0.0) ? min(_557, 255.0) : 0.0;
     float _564 = min(min(_560 / (_560 + 1.0), _552), ((_552 * _549) * _549) * fma(-2.0, _549, 3.0));
     float _567 = (abs(_458) <= 9.9999996802856924650656260769173e+37) ? _458 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_564 > 0.0) ? ((_528 <= 9.9999996802856924650656260769173e+37) ? fma(_496 - _567, clamp(_564, 0.0, 1.0), _567) : _567) : _458, _109, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_501 > 0.0) ? min(_501, 255.0) : 0.0, (_531 > 0.0) ? min(_531, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_564 > 0.0) ? ((_528 <= 9.9999996802856924650656260769173e+37) ? fma(_502 - _567, clamp(_564, 0.0, 1.0), _567) : _567) : _458, _109, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_506 > 0.0) ? min(_506, 255.0) : 0.0, (_531 > 0.0) ? min(_531, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

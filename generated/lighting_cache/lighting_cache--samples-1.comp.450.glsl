@@ -38,8 +38,8 @@ layout(binding = 0, std140) uniform LightingCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -109,25 +109,25 @@ void main()
     vec2 _349 = mix(vec2(-8.0), _343, bvec2((_338 > 0.0) && all(lessThanEqual(abs(_343), vec2(8.0)))));
     float _351 = dot(_335.zw, parameters.gClipToDepth);
     vec2 _357 = _349 * parameters.gFrameToCoarse;
-    vec4 _361 = textureLod(gHistoryCacheStateFiltered, _357, 0.0);
-    vec4 _365 = textureLod(gHistoryCacheFiltered, _357, 0.0);
-    float _366 = _365.x;
-    float _368 = _361.x;
-    float _371 = (_368 > 0.0) ? min(_368, 255.0) : 0.0;
-    float _377 = max(fma(parameters.gMissThreshold.y, _108, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _383 = _377 - abs(((abs(_351) <= 9.9999996802856924650656260769173e+37) ? _351 : 0.0) - _365.y);
-    float _386 = (_383 > 0.0) ? (_383 * (parameters.gConvergenceTime / _377)) : 0.0;
-    float _398 = abs(_366);
+    float _363 = max(fma(parameters.gMissThreshold.y, _108, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _367 = textureLod(gHistoryCacheFiltered, _357, 0.0);
+    vec4 _371 = textureLod(gHistoryCacheStateFiltered, _357, 0.0);
+    float _372 = _367.x;
+    float _373 = _371.x;
+    float _376 = (_373 > 0.0) ? min(_373, 255.0) : 0.0;
+    float _383 = _363 - abs(((abs(_351) <= 9.9999996802856924650656260769173e+37) ? _351 : 0.0) - _367.y);
+    float _386 = (_383 > 0.0) ? (_383 * (parameters.gConvergenceTime / _363)) : 0.0;
+    float _398 = abs(_372);
     float _401 = ((parameters.gHistoryValid > 0.5) && (_398 <= 65504.0)) ? (((_386 > 0.0) && all(lessThanEqual(abs(fma(_349, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_386, 1.0) : 0.0) : 0.0;
     float _413 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _415 = parameters.gSpeedPx.y - abs(length(fma(_92, parameters.gOutputSize.zw, -_357) * parameters.gOutputSize.xy));
     float _419 = ((_415 > 0.0) ? min(_415, _413) : 0.0) / _413;
     float _422 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _427 = _371 * _401;
+    float _427 = _376 * _401;
     float _430 = (_427 > 0.0) ? min(_427, 255.0) : 0.0;
     float _434 = min(min(_430 / (_430 + 1.0), _422), ((_422 * _419) * _419) * fma(-2.0, _419, 3.0));
     float _437 = (abs(_328) <= 9.9999996802856924650656260769173e+37) ? _328 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_434 > 0.0) ? ((_398 <= 9.9999996802856924650656260769173e+37) ? fma(_366 - _437, clamp(_434, 0.0, 1.0), _437) : _437) : _328, _108, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_371 > 0.0) ? min(_371, 255.0) : 0.0, (_401 > 0.0) ? min(_401, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_434 > 0.0) ? ((_398 <= 9.9999996802856924650656260769173e+37) ? fma(_372 - _437, clamp(_434, 0.0, 1.0), _437) : _437) : _328, _108, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_376 > 0.0) ? min(_376, 255.0) : 0.0, (_401 > 0.0) ? min(_401, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

@@ -38,8 +38,8 @@ layout(binding = 0, std140) uniform LightingCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -184,25 +184,25 @@ void main()
     vec2 _831 = mix(vec2(-8.0), _825, bvec2((_820 > 0.0) && all(lessThanEqual(abs(_825), vec2(8.0)))));
     float _833 = dot(_817.zw, parameters.gClipToDepth);
     vec2 _839 = _831 * parameters.gFrameToCoarse;
-    vec4 _843 = textureLod(gHistoryCacheStateFiltered, _839, 0.0);
-    vec4 _847 = textureLod(gHistoryCacheFiltered, _839, 0.0);
-    float _848 = _847.x;
-    float _850 = _843.x;
-    float _853 = (_850 > 0.0) ? min(_850, 255.0) : 0.0;
-    float _859 = max(fma(parameters.gMissThreshold.y, _117, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _865 = _859 - abs(((abs(_833) <= 9.9999996802856924650656260769173e+37) ? _833 : 0.0) - _847.y);
-    float _868 = (_865 > 0.0) ? (_865 * (parameters.gConvergenceTime / _859)) : 0.0;
-    float _880 = abs(_848);
+    float _845 = max(fma(parameters.gMissThreshold.y, _117, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _849 = textureLod(gHistoryCacheFiltered, _839, 0.0);
+    vec4 _853 = textureLod(gHistoryCacheStateFiltered, _839, 0.0);
+    float _854 = _849.x;
+    float _855 = _853.x;
+    float _858 = (_855 > 0.0) ? min(_855, 255.0) : 0.0;
+    float _865 = _845 - abs(((abs(_833) <= 9.9999996802856924650656260769173e+37) ? _833 : 0.0) - _849.y);
+    float _868 = (_865 > 0.0) ? (_865 * (parameters.gConvergenceTime / _845)) : 0.0;
+    float _880 = abs(_854);
     float _883 = ((parameters.gHistoryValid > 0.5) && (_880 <= 65504.0)) ? (((_868 > 0.0) && all(lessThanEqual(abs(fma(_831, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_868, 1.0) : 0.0) : 0.0;
     float _895 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _897 = parameters.gSpeedPx.y - abs(length(fma(_101, parameters.gOutputSize.zw, -_839) * parameters.gOutputSize.xy));
     float _901 = ((_897 > 0.0) ? min(_897, _895) : 0.0) / _895;
     float _904 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _909 = _853 * _883;
+    float _909 = _858 * _883;
     float _912 = (_909 > 0.0) ? min(_909, 255.0) : 0.0;
     float _916 = min(min(_912 / (_912 + 1.0), _904), ((_904 * _901) * _901) * fma(-2.0, _901, 3.0));
     float _919 = (abs(_810) <= 9.9999996802856924650656260769173e+37) ? _810 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_916 > 0.0) ? ((_880 <= 9.9999996802856924650656260769173e+37) ? fma(_848 - _919, clamp(_916, 0.0, 1.0), _919) : _919) : _810, _117, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_853 > 0.0) ? min(_853, 255.0) : 0.0, (_883 > 0.0) ? min(_883, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_916 > 0.0) ? ((_880 <= 9.9999996802856924650656260769173e+37) ? fma(_854 - _919, clamp(_916, 0.0, 1.0), _919) : _919) : _810, _117, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_858 > 0.0) ? min(_858, 255.0) : 0.0, (_883 > 0.0) ? min(_883, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

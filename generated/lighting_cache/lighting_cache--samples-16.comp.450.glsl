@@ -38,8 +38,8 @@ layout(binding = 0, std140) uniform LightingCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -209,25 +209,25 @@ void main()
     vec2 _1007 = mix(vec2(-8.0), _1001, bvec2((_996 > 0.0) && all(lessThanEqual(abs(_1001), vec2(8.0)))));
     float _1009 = dot(_993.zw, parameters.gClipToDepth);
     vec2 _1015 = _1007 * parameters.gFrameToCoarse;
-    vec4 _1019 = textureLod(gHistoryCacheStateFiltered, _1015, 0.0);
-    vec4 _1023 = textureLod(gHistoryCacheFiltered, _1015, 0.0);
-    float _1024 = _1023.x;
-    float _1026 = _1019.x;
-    float _1029 = (_1026 > 0.0) ? min(_1026, 255.0) : 0.0;
-    float _1035 = max(fma(parameters.gMissThreshold.y, _121, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _1041 = _1035 - abs(((abs(_1009) <= 9.9999996802856924650656260769173e+37) ? _1009 : 0.0) - _1023.y);
-    float _1044 = (_1041 > 0.0) ? (_1041 * (parameters.gConvergenceTime / _1035)) : 0.0;
-    float _1056 = abs(_1024);
+    float _1021 = max(fma(parameters.gMissThreshold.y, _121, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _1025 = textureLod(gHistoryCacheFiltered, _1015, 0.0);
+    vec4 _1029 = textureLod(gHistoryCacheStateFiltered, _1015, 0.0);
+    float _1030 = _1025.x;
+    float _1031 = _1029.x;
+    float _1034 = (_1031 > 0.0) ? min(_1031, 255.0) : 0.0;
+    float _1041 = _1021 - abs(((abs(_1009) <= 9.9999996802856924650656260769173e+37) ? _1009 : 0.0) - _1025.y);
+    float _1044 = (_1041 > 0.0) ? (_1041 * (parameters.gConvergenceTime / _1021)) : 0.0;
+    float _1056 = abs(_1030);
     float _1059 = ((parameters.gHistoryValid > 0.5) && (_1056 <= 65504.0)) ? (((_1044 > 0.0) && all(lessThanEqual(abs(fma(_1007, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_1044, 1.0) : 0.0) : 0.0;
     float _1071 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _1073 = parameters.gSpeedPx.y - abs(length(fma(_105, parameters.gOutputSize.zw, -_1015) * parameters.gOutputSize.xy));
     float _1077 = ((_1073 > 0.0) ? min(_1073, _1071) : 0.0) / _1071;
     float _1080 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _1085 = _1029 * _1059;
+    float _1085 = _1034 * _1059;
     float _1088 = (_1085 > 0.0) ? min(_1085, 255.0) : 0.0;
     float _1092 = min(min(_1088 / (_1088 + 1.0), _1080), ((_1080 * _1077) * _1077) * fma(-2.0, _1077, 3.0));
     float _1095 = (abs(_986) <= 9.9999996802856924650656260769173e+37) ? _986 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_1092 > 0.0) ? ((_1056 <= 9.9999996802856924650656260769173e+37) ? fma(_1024 - _1095, clamp(_1092, 0.0, 1.0), _1095) : _1095) : _986, _121, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_1029 > 0.0) ? min(_1029, 255.0) : 0.0, (_1059 > 0.0) ? min(_1059, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_1092 > 0.0) ? ((_1056 <= 9.9999996802856924650656260769173e+37) ? fma(_1030 - _1095, clamp(_1092, 0.0, 1.0), _1095) : _1095) : _986, _121, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_1034 > 0.0) ? min(_1034, 255.0) : 0.0, (_1059 > 0.0) ? min(_1059, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

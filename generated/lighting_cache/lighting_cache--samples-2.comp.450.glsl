@@ -38,8 +38,8 @@ layout(binding = 0, std140) uniform LightingCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -122,25 +122,25 @@ void main()
     vec2 _392 = mix(vec2(-8.0), _386, bvec2((_381 > 0.0) && all(lessThanEqual(abs(_386), vec2(8.0)))));
     float _394 = dot(_378.zw, parameters.gClipToDepth);
     vec2 _400 = _392 * parameters.gFrameToCoarse;
-    vec4 _404 = textureLod(gHistoryCacheStateFiltered, _400, 0.0);
-    vec4 _408 = textureLod(gHistoryCacheFiltered, _400, 0.0);
-    float _409 = _408.x;
-    float _411 = _404.x;
-    float _414 = (_411 > 0.0) ? min(_411, 255.0) : 0.0;
-    float _420 = max(fma(parameters.gMissThreshold.y, _108, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _426 = _420 - abs(((abs(_394) <= 9.9999996802856924650656260769173e+37) ? _394 : 0.0) - _408.y);
-    float _429 = (_426 > 0.0) ? (_426 * (parameters.gConvergenceTime / _420)) : 0.0;
-    float _441 = abs(_409);
+    float _406 = max(fma(parameters.gMissThreshold.y, _108, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _410 = textureLod(gHistoryCacheFiltered, _400, 0.0);
+    vec4 _414 = textureLod(gHistoryCacheStateFiltered, _400, 0.0);
+    float _415 = _410.x;
+    float _416 = _414.x;
+    float _419 = (_416 > 0.0) ? min(_416, 255.0) : 0.0;
+    float _426 = _406 - abs(((abs(_394) <= 9.9999996802856924650656260769173e+37) ? _394 : 0.0) - _410.y);
+    float _429 = (_426 > 0.0) ? (_426 * (parameters.gConvergenceTime / _406)) : 0.0;
+    float _441 = abs(_415);
     float _444 = ((parameters.gHistoryValid > 0.5) && (_441 <= 65504.0)) ? (((_429 > 0.0) && all(lessThanEqual(abs(fma(_392, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_429, 1.0) : 0.0) : 0.0;
     float _456 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _458 = parameters.gSpeedPx.y - abs(length(fma(_92, parameters.gOutputSize.zw, -_400) * parameters.gOutputSize.xy));
     float _462 = ((_458 > 0.0) ? min(_458, _456) : 0.0) / _456;
     float _465 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _470 = _414 * _444;
+    float _470 = _419 * _444;
     float _473 = (_470 > 0.0) ? min(_470, 255.0) : 0.0;
     float _477 = min(min(_473 / (_473 + 1.0), _465), ((_465 * _462) * _462) * fma(-2.0, _462, 3.0));
     float _480 = (abs(_371) <= 9.9999996802856924650656260769173e+37) ? _371 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_477 > 0.0) ? ((_441 <= 9.9999996802856924650656260769173e+37) ? fma(_409 - _480, clamp(_477, 0.0, 1.0), _480) : _480) : _371, _108, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_414 > 0.0) ? min(_414, 255.0) : 0.0, (_444 > 0.0) ? min(_444, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_477 > 0.0) ? ((_441 <= 9.9999996802856924650656260769173e+37) ? fma(_415 - _480, clamp(_477, 0.0, 1.0), _480) : _480) : _371, _108, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_419 > 0.0) ? min(_419, 255.0) : 0.0, (_444 > 0.0) ? min(_444, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

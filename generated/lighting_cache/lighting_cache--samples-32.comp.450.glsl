@@ -38,8 +38,8 @@ layout(binding = 0, std140) uniform LightingCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -308,25 +308,25 @@ void main()
     vec2 _1701 = mix(vec2(-8.0), _1695, bvec2((_1690 > 0.0) && all(lessThanEqual(abs(_1695), vec2(8.0)))));
     float _1703 = dot(_1687.zw, parameters.gClipToDepth);
     vec2 _1709 = _1701 * parameters.gFrameToCoarse;
-    vec4 _1713 = textureLod(gHistoryCacheStateFiltered, _1709, 0.0);
-    vec4 _1717 = textureLod(gHistoryCacheFiltered, _1709, 0.0);
-    float _1718 = _1717.x;
-    float _1720 = _1713.x;
-    float _1723 = (_1720 > 0.0) ? min(_1720, 255.0) : 0.0;
-    float _1729 = max(fma(parameters.gMissThreshold.y, _127, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _1735 = _1729 - abs(((abs(_1703) <= 9.9999996802856924650656260769173e+37) ? _1703 : 0.0) - _1717.y);
-    float _1738 = (_1735 > 0.0) ? (_1735 * (parameters.gConvergenceTime / _1729)) : 0.0;
-    float _1750 = abs(_1718);
+    float _1715 = max(fma(parameters.gMissThreshold.y, _127, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _1719 = textureLod(gHistoryCacheFiltered, _1709, 0.0);
+    vec4 _1723 = textureLod(gHistoryCacheStateFiltered, _1709, 0.0);
+    float _1724 = _1719.x;
+    float _1725 = _1723.x;
+    float _1728 = (_1725 > 0.0) ? min(_1725, 255.0) : 0.0;
+    float _1735 = _1715 - abs(((abs(_1703) <= 9.9999996802856924650656260769173e+37) ? _1703 : 0.0) - _1719.y);
+    float _1738 = (_1735 > 0.0) ? (_1735 * (parameters.gConvergenceTime / _1715)) : 0.0;
+    float _1750 = abs(_1724);
     float _1753 = ((parameters.gHistoryValid > 0.5) && (_1750 <= 65504.0)) ? (((_1738 > 0.0) && all(lessThanEqual(abs(fma(_1701, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_1738, 1.0) : 0.0) : 0.0;
     float _1765 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _1767 = parameters.gSpeedPx.y - abs(length(fma(_111, parameters.gOutputSize.zw, -_1709) * parameters.gOutputSize.xy));
     float _1771 = ((_1767 > 0.0) ? min(_1767, _1765) : 0.0) / _1765;
     float _1774 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _1779 = _1723 * _1753;
+    float _1779 = _1728 * _1753;
     float _1782 = (_1779 > 0.0) ? min(_1779, 255.0) : 0.0;
     float _1786 = min(min(_1782 / (_1782 + 1.0), _1774), ((_1774 * _1771) * _1771) * fma(-2.0, _1771, 3.0));
     float _1789 = (abs(_1680) <= 9.9999996802856924650656260769173e+37) ? _1680 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_1786 > 0.0) ? ((_1750 <= 9.9999996802856924650656260769173e+37) ? fma(_1718 - _1789, clamp(_1786, 0.0, 1.0), _1789) : _1789) : _1680, _127, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_1723 > 0.0) ? min(_1723, 255.0) : 0.0, (_1753 > 0.0) ? min(_1753, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_1786 > 0.0) ? ((_1750 <= 9.9999996802856924650656260769173e+37) ? fma(_1724 - _1789, clamp(_1786, 0.0, 1.0), _1789) : _1789) : _1680, _127, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_1728 > 0.0) ? min(_1728, 255.0) : 0.0, (_1753 > 0.0) ? min(_1753, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

@@ -38,8 +38,8 @@ layout(binding = 0, std140) uniform LightingCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -159,25 +159,25 @@ void main()
     vec2 _655 = mix(vec2(-8.0), _649, bvec2((_644 > 0.0) && all(lessThanEqual(abs(_649), vec2(8.0)))));
     float _657 = dot(_641.zw, parameters.gClipToDepth);
     vec2 _663 = _655 * parameters.gFrameToCoarse;
-    vec4 _667 = textureLod(gHistoryCacheStateFiltered, _663, 0.0);
-    vec4 _671 = textureLod(gHistoryCacheFiltered, _663, 0.0);
-    float _672 = _671.x;
-    float _674 = _667.x;
-    float _677 = (_674 > 0.0) ? min(_674, 255.0) : 0.0;
-    float _683 = max(fma(parameters.gMissThreshold.y, _113, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _689 = _683 - abs(((abs(_657) <= 9.9999996802856924650656260769173e+37) ? _657 : 0.0) - _671.y);
-    float _692 = (_689 > 0.0) ? (_689 * (parameters.gConvergenceTime / _683)) : 0.0;
-    float _704 = abs(_672);
+    float _669 = max(fma(parameters.gMissThreshold.y, _113, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _673 = textureLod(gHistoryCacheFiltered, _663, 0.0);
+    vec4 _677 = textureLod(gHistoryCacheStateFiltered, _663, 0.0);
+    float _678 = _673.x;
+    float _679 = _677.x;
+    float _682 = (_679 > 0.0) ? min(_679, 255.0) : 0.0;
+    float _689 = _669 - abs(((abs(_657) <= 9.9999996802856924650656260769173e+37) ? _657 : 0.0) - _673.y);
+    float _692 = (_689 > 0.0) ? (_689 * (parameters.gConvergenceTime / _669)) : 0.0;
+    float _704 = abs(_678);
     float _707 = ((parameters.gHistoryValid > 0.5) && (_704 <= 65504.0)) ? (((_692 > 0.0) && all(lessThanEqual(abs(fma(_655, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_692, 1.0) : 0.0) : 0.0;
     float _719 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _721 = parameters.gSpeedPx.y - abs(length(fma(_97, parameters.gOutputSize.zw, -_663) * parameters.gOutputSize.xy));
     float _725 = ((_721 > 0.0) ? min(_721, _719) : 0.0) / _719;
     float _728 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _733 = _677 * _707;
+    float _733 = _682 * _707;
     float _736 = (_733 > 0.0) ? min(_733, 255.0) : 0.0;
     float _740 = min(min(_736 / (_736 + 1.0), _728), ((_728 * _725) * _725) * fma(-2.0, _725, 3.0));
     float _743 = (abs(_634) <= 9.9999996802856924650656260769173e+37) ? _634 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_740 > 0.0) ? ((_704 <= 9.9999996802856924650656260769173e+37) ? fma(_672 - _743, clamp(_740, 0.0, 1.0), _743) : _743) : _634, _113, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_677 > 0.0) ? min(_677, 255.0) : 0.0, (_707 > 0.0) ? min(_707, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_740 > 0.0) ? ((_704 <= 9.9999996802856924650656260769173e+37) ? fma(_678 - _743, clamp(_740, 0.0, 1.0), _743) : _743) : _634, _113, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_682 > 0.0) ? min(_682, 255.0) : 0.0, (_707 > 0.0) ? min(_707, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

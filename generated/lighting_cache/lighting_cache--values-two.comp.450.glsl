@@ -38,8 +38,8 @@ layout(binding = 0, std140) uniform LightingCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInCoarseDepth;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -134,24 +134,24 @@ void main()
     vec2 _482 = mix(vec2(-8.0), _476, bvec2((_471 > 0.0) && all(lessThanEqual(abs(_476), vec2(8.0)))));
     float _484 = dot(_468.zw, parameters.gClipToDepth);
     vec2 _490 = _482 * parameters.gFrameToCoarse;
-    vec4 _494 = textureLod(gHistoryCacheStateFiltered, _490, 0.0);
-    vec2 _499 = textureLod(gHistoryCacheFiltered, _490, 0.0).xy;
-    float _501 = _494.x;
-    float _504 = (_501 > 0.0) ? min(_501, 255.0) : 0.0;
-    float _510 = max(fma(parameters.gMissThreshold.y, _111, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _516 = _510 - abs(((abs(_484) <= 9.9999996802856924650656260769173e+37) ? _484 : 0.0) - _494.y);
-    float _519 = (_516 > 0.0) ? (_516 * (parameters.gConvergenceTime / _510)) : 0.0;
-    vec2 _531 = abs(_499);
+    float _496 = max(fma(parameters.gMissThreshold.y, _111, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _504 = textureLod(gHistoryCacheStateFiltered, _490, 0.0);
+    vec2 _505 = textureLod(gHistoryCacheFiltered, _490, 0.0).xy;
+    float _506 = _504.x;
+    float _509 = (_506 > 0.0) ? min(_506, 255.0) : 0.0;
+    float _516 = _496 - abs(((abs(_484) <= 9.9999996802856924650656260769173e+37) ? _484 : 0.0) - _504.y);
+    float _519 = (_516 > 0.0) ? (_516 * (parameters.gConvergenceTime / _496)) : 0.0;
+    vec2 _531 = abs(_505);
     float _535 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(_531, vec2(65504.0)))) ? (((_519 > 0.0) && all(lessThanEqual(abs(fma(_482, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_519, 1.0) : 0.0) : 0.0;
     float _547 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _549 = parameters.gSpeedPx.y - abs(length(fma(_95, parameters.gOutputSize.zw, -_490) * parameters.gOutputSize.xy));
     float _553 = ((_549 > 0.0) ? min(_549, _547) : 0.0) / _547;
     float _556 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _561 = _504 * _535;
+    float _561 = _509 * _535;
     float _564 = (_561 > 0.0) ? min(_561, 255.0) : 0.0;
     float _568 = min(min(_564 / (_564 + 1.0), _556), ((_556 * _553) * _553) * fma(-2.0, _553, 3.0));
     vec2 _573 = mix(vec2(0.0), _461, bvec2(all(lessThanEqual(abs(_461), vec2(9.9999996802856924650656260769173e+37)))));
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4(mix(_461, mix(_573, _573 + ((_499 - _573) * clamp(_568, 0.0, 1.0)), bvec2(all(lessThanEqual(_531, vec2(9.9999996802856924650656260769173e+37))))), bvec2(_568 > 0.0)), 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_504 > 0.0) ? min(_504, 255.0) : 0.0, (_535 > 0.0) ? min(_535, 1.0) : 0.0, 1.0), 255.0), _111, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4(mix(_461, mix(_573, _573 + ((_505 - _573) * clamp(_568, 0.0, 1.0)), bvec2(all(lessThanEqual(_531, vec2(9.9999996802856924650656260769173e+37))))), bvec2(_568 > 0.0)), 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_509 > 0.0) ? min(_509, 255.0) : 0.0, (_535 > 0.0) ? min(_535, 1.0) : 0.0, 1.0), 255.0), _111, 0.0, 0.0));
 }
 

@@ -20,8 +20,8 @@ layout(binding = 0, std140) uniform ReprojectionCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInFresh;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -66,26 +66,26 @@ void main()
     vec2 _237 = mix(vec2(-8.0), _231, bvec2((_226 > 0.0) && all(lessThanEqual(abs(_231), vec2(8.0)))));
     float _239 = dot(_223.zw, parameters.gClipToDepth);
     vec2 _245 = _237 * parameters.gFrameToCoarse;
-    vec4 _249 = textureLod(gHistoryCacheStateFiltered, _245, 0.0);
-    vec4 _253 = textureLod(gHistoryCacheFiltered, _245, 0.0);
-    float _254 = _253.x;
-    float _256 = _249.x;
-    float _259 = (_256 > 0.0) ? min(_256, 255.0) : 0.0;
-    float _265 = max(fma(parameters.gMissThreshold.y, _105, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _271 = _265 - abs(((abs(_239) <= 9.9999996802856924650656260769173e+37) ? _239 : 0.0) - _253.y);
-    float _274 = (_271 > 0.0) ? (_271 * (parameters.gConvergenceTime / _265)) : 0.0;
-    float _286 = abs(_254);
+    float _251 = max(fma(parameters.gMissThreshold.y, _105, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _255 = textureLod(gHistoryCacheFiltered, _245, 0.0);
+    vec4 _259 = textureLod(gHistoryCacheStateFiltered, _245, 0.0);
+    float _260 = _255.x;
+    float _261 = _259.x;
+    float _264 = (_261 > 0.0) ? min(_261, 255.0) : 0.0;
+    float _271 = _251 - abs(((abs(_239) <= 9.9999996802856924650656260769173e+37) ? _239 : 0.0) - _255.y);
+    float _274 = (_271 > 0.0) ? (_271 * (parameters.gConvergenceTime / _251)) : 0.0;
+    float _286 = abs(_260);
     float _289 = ((parameters.gHistoryValid > 0.5) && (_286 <= 65504.0)) ? (((_274 > 0.0) && all(lessThanEqual(abs(fma(_237, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_274, 1.0) : 0.0) : 0.0;
-    float _304 = (_289 > 0.0) ? (_289 * clamp(2.0 - (abs(fma(-_191, _190, _254)) / max(fma(parameters.gChange.x, sqrt(dot(((((_194 * _194) * _176) + ((_197 * _197) * _178)) + ((_201 * _201) * _181)) + ((_205 * _205) * _184), _117) * _190), parameters.gChange.y), 9.9999997473787516355514526367188e-05)), 0.0, 1.0)) : 0.0;
+    float _304 = (_289 > 0.0) ? (_289 * clamp(2.0 - (abs(fma(-_191, _190, _260)) / max(fma(parameters.gChange.x, sqrt(dot(((((_194 * _194) * _176) + ((_197 * _197) * _178)) + ((_201 * _201) * _181)) + ((_205 * _205) * _184), _117) * _190), parameters.gChange.y), 9.9999997473787516355514526367188e-05)), 0.0, 1.0)) : 0.0;
     float _317 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _319 = parameters.gSpeedPx.y - abs(length(fma(_88, parameters.gOutputSize.zw, -_245) * parameters.gOutputSize.xy));
     float _323 = ((_319 > 0.0) ? min(_319, _317) : 0.0) / _317;
     float _326 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _331 = _259 * _304;
+    float _331 = _264 * _304;
     float _334 = (_331 > 0.0) ? min(_331, 255.0) : 0.0;
     float _338 = min(min(_334 / (_334 + 1.0), _326), ((_326 * _323) * _323) * fma(-2.0, _323, 3.0));
     float _341 = (abs(_101) <= 9.9999996802856924650656260769173e+37) ? _101 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_338 > 0.0) ? ((_286 <= 9.9999996802856924650656260769173e+37) ? fma(_254 - _341, clamp(_338, 0.0, 1.0), _341) : _341) : _101, _105, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_259 > 0.0) ? min(_259, 255.0) : 0.0, (_304 > 0.0) ? min(_304, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_338 > 0.0) ? ((_286 <= 9.9999996802856924650656260769173e+37) ? fma(_260 - _341, clamp(_338, 0.0, 1.0), _341) : _341) : _101, _105, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_264 > 0.0) ? min(_264, 255.0) : 0.0, (_304 > 0.0) ? min(_304, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

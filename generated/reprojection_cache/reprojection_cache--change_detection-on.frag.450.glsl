@@ -17,8 +17,8 @@ layout(binding = 0, std140) uniform ReprojectionCacheParameters
 } parameters;
 
 layout(binding = 1) uniform sampler2D gInFresh;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 layout(location = 0) out vec4 gOutCache;
 layout(location = 1) out vec4 gOutCacheState;
@@ -65,26 +65,26 @@ void main()
     vec2 _232 = mix(vec2(-8.0), _226, bvec2((_221 > 0.0) && all(lessThanEqual(abs(_226), vec2(8.0)))));
     float _234 = dot(_218.zw, parameters.gClipToDepth);
     vec2 _240 = _232 * parameters.gFrameToCoarse;
-    vec4 _244 = textureLod(gHistoryCacheStateFiltered, _240, 0.0);
-    vec4 _248 = textureLod(gHistoryCacheFiltered, _240, 0.0);
-    float _249 = _248.x;
-    float _251 = _244.x;
-    float _254 = (_251 > 0.0) ? min(_251, 255.0) : 0.0;
-    float _260 = max(fma(parameters.gMissThreshold.y, _100, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _266 = _260 - abs(((abs(_234) <= 9.9999996802856924650656260769173e+37) ? _234 : 0.0) - _248.y);
-    float _269 = (_266 > 0.0) ? (_266 * (parameters.gConvergenceTime / _260)) : 0.0;
-    float _281 = abs(_249);
+    float _246 = max(fma(parameters.gMissThreshold.y, _100, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _250 = textureLod(gHistoryCacheFiltered, _240, 0.0);
+    vec4 _254 = textureLod(gHistoryCacheStateFiltered, _240, 0.0);
+    float _255 = _250.x;
+    float _256 = _254.x;
+    float _259 = (_256 > 0.0) ? min(_256, 255.0) : 0.0;
+    float _266 = _246 - abs(((abs(_234) <= 9.9999996802856924650656260769173e+37) ? _234 : 0.0) - _250.y);
+    float _269 = (_266 > 0.0) ? (_266 * (parameters.gConvergenceTime / _246)) : 0.0;
+    float _281 = abs(_255);
     float _284 = ((parameters.gHistoryValid > 0.5) && (_281 <= 65504.0)) ? (((_269 > 0.0) && all(lessThanEqual(abs(fma(_232, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_269, 1.0) : 0.0) : 0.0;
-    float _299 = (_284 > 0.0) ? (_284 * clamp(2.0 - (abs(fma(-_186, _185, _249)) / max(fma(parameters.gChange.x, sqrt(dot(((((_189 * _189) * _171) + ((_192 * _192) * _173)) + ((_196 * _196) * _176)) + ((_200 * _200) * _179), _112) * _185), parameters.gChange.y), 9.9999997473787516355514526367188e-05)), 0.0, 1.0)) : 0.0;
+    float _299 = (_284 > 0.0) ? (_284 * clamp(2.0 - (abs(fma(-_186, _185, _255)) / max(fma(parameters.gChange.x, sqrt(dot(((((_189 * _189) * _171) + ((_192 * _192) * _173)) + ((_196 * _196) * _176)) + ((_200 * _200) * _179), _112) * _185), parameters.gChange.y), 9.9999997473787516355514526367188e-05)), 0.0, 1.0)) : 0.0;
     float _312 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _314 = parameters.gSpeedPx.y - abs(length(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_240) * parameters.gOutputSize.xy));
     float _318 = ((_314 > 0.0) ? min(_314, _312) : 0.0) / _312;
     float _321 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _326 = _254 * _299;
+    float _326 = _259 * _299;
     float _329 = (_326 > 0.0) ? min(_326, 255.0) : 0.0;
     float _333 = min(min(_329 / (_329 + 1.0), _321), ((_321 * _318) * _318) * fma(-2.0, _318, 3.0));
     float _336 = (abs(_96) <= 9.9999996802856924650656260769173e+37) ? _96 : 0.0;
-    gOutCache = vec4((_333 > 0.0) ? ((_281 <= 9.9999996802856924650656260769173e+37) ? fma(_249 - _336, clamp(_333, 0.0, 1.0), _336) : _336) : _96, _100, 0.0, 0.0);
-    gOutCacheState = vec4(min(fma((_254 > 0.0) ? min(_254, 255.0) : 0.0, (_299 > 0.0) ? min(_299, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0);
+    gOutCache = vec4((_333 > 0.0) ? ((_281 <= 9.9999996802856924650656260769173e+37) ? fma(_255 - _336, clamp(_333, 0.0, 1.0), _336) : _336) : _96, _100, 0.0, 0.0);
+    gOutCacheState = vec4(min(fma((_259 > 0.0) ? min(_259, 255.0) : 0.0, (_299 > 0.0) ? min(_299, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0);
 }
 

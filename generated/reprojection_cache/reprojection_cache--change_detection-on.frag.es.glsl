@@ -19,8 +19,8 @@ layout(std140) uniform ReprojectionCacheParameters
 } parameters;
 
 uniform highp sampler2D gInFresh;
-uniform highp sampler2D gHistoryCacheStateFiltered;
 uniform highp sampler2D gHistoryCacheFiltered;
+uniform highp sampler2D gHistoryCacheStateFiltered;
 
 layout(location = 0) out vec4 gOutCache;
 layout(location = 1) out vec4 gOutCacheState;
@@ -92,26 +92,26 @@ void main()
     vec2 _328 = vec2(_327.x ? _322.x : vec2(-8.0).x, _327.y ? _322.y : vec2(-8.0).y);
     float _330 = dot(_314.zw, parameters.gClipToDepth);
     vec2 _336 = _328 * parameters.gFrameToCoarse;
-    vec4 _340 = textureLod(gHistoryCacheStateFiltered, _336, 0.0);
-    vec4 _344 = textureLod(gHistoryCacheFiltered, _336, 0.0);
-    float _345 = _344.x;
-    float _347 = _340.x;
-    float _350 = (_347 > 0.0) ? min(_347, 255.0) : 0.0;
-    float _356 = max(parameters.gMissThreshold.y * _111 + parameters.gMissThreshold.x, 9.9999999747524270787835121154785e-07);
-    float _362 = _356 - abs(((abs(_330) <= 9.9999996802856924650656260769173e+37) ? _330 : 0.0) - _344.y);
-    float _365 = (_362 > 0.0) ? (_362 * (parameters.gConvergenceTime / _356)) : 0.0;
-    float _377 = abs(_345);
+    float _342 = max(parameters.gMissThreshold.y * _111 + parameters.gMissThreshold.x, 9.9999999747524270787835121154785e-07);
+    vec4 _346 = textureLod(gHistoryCacheFiltered, _336, 0.0);
+    vec4 _350 = textureLod(gHistoryCacheStateFiltered, _336, 0.0);
+    float _351 = _346.x;
+    float _352 = _350.x;
+    float _355 = (_352 > 0.0) ? min(_352, 255.0) : 0.0;
+    float _362 = _342 - abs(((abs(_330) <= 9.9999996802856924650656260769173e+37) ? _330 : 0.0) - _346.y);
+    float _365 = (_362 > 0.0) ? (_362 * (parameters.gConvergenceTime / _342)) : 0.0;
+    float _377 = abs(_351);
     float _380 = ((parameters.gHistoryValid > 0.5) && (_377 <= 65504.0)) ? (((_365 > 0.0) && all(lessThanEqual(abs(_328 * parameters.gFrameToCoarse + vec2(-0.5)), vec2(0.5)))) ? min(_365, 1.0) : 0.0) : 0.0;
-    float _395 = (_380 > 0.0) ? (_380 * clamp(2.0 - (abs((-_282) * _281 + _345) / max(parameters.gChange.x * sqrt(dot(((((_285 * _285) * _267) + ((_288 * _288) * _269)) + ((_292 * _292) * _272)) + ((_296 * _296) * _275), _123) * _281) + parameters.gChange.y, 9.9999997473787516355514526367188e-05)), 0.0, 1.0)) : 0.0;
+    float _395 = (_380 > 0.0) ? (_380 * clamp(2.0 - (abs((-_282) * _281 + _351) / max(parameters.gChange.x * sqrt(dot(((((_285 * _285) * _267) + ((_288 * _288) * _269)) + ((_292 * _292) * _272)) + ((_296 * _296) * _275), _123) * _281) + parameters.gChange.y, 9.9999997473787516355514526367188e-05)), 0.0, 1.0)) : 0.0;
     float _408 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _410 = parameters.gSpeedPx.y - abs(length((gl_FragCoord.xy * parameters.gOutputSize.zw + (-_336)) * parameters.gOutputSize.xy));
     float _414 = ((_410 > 0.0) ? min(_410, _408) : 0.0) / _408;
     float _417 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _422 = _350 * _395;
+    float _422 = _355 * _395;
     float _425 = (_422 > 0.0) ? min(_422, 255.0) : 0.0;
     float _429 = min(min(_425 / (_425 + 1.0), _417), ((_417 * _414) * _414) * ((-2.0) * _414 + 3.0));
     float _432 = (abs(_107) <= 9.9999996802856924650656260769173e+37) ? _107 : 0.0;
-    gOutCache = vec4((_429 > 0.0) ? ((_377 <= 9.9999996802856924650656260769173e+37) ? ((_345 - _432) * clamp(_429, 0.0, 1.0) + _432) : _432) : _107, _111, 0.0, 0.0);
-    gOutCacheState = vec4(min(((_350 > 0.0) ? min(_350, 255.0) : 0.0) * ((_395 > 0.0) ? min(_395, 1.0) : 0.0) + 1.0, 255.0), 0.0, 0.0, 0.0);
+    gOutCache = vec4((_429 > 0.0) ? ((_377 <= 9.9999996802856924650656260769173e+37) ? ((_351 - _432) * clamp(_429, 0.0, 1.0) + _432) : _432) : _107, _111, 0.0, 0.0);
+    gOutCacheState = vec4(min(((_355 > 0.0) ? min(_355, 255.0) : 0.0) * ((_395 > 0.0) ? min(_395, 1.0) : 0.0) + 1.0, 255.0), 0.0, 0.0, 0.0);
 }
 

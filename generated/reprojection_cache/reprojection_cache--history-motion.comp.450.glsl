@@ -21,8 +21,8 @@ layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInFresh;
 layout(binding = 2) uniform sampler2D gInVelocity;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -39,25 +39,25 @@ void main()
     vec2 _126 = fma(-textureLod(gInVelocity, _95 - ((parameters.gOutputSize.zw * 0.125) / parameters.gFrameToCoarse), 0.0).xy, parameters.gMotionToUv, _95);
     vec2 _131 = mix(vec2(-8.0), _126, bvec2(all(lessThanEqual(abs(_126), vec2(8.0)))));
     vec2 _135 = _131 * parameters.gFrameToCoarse;
-    vec4 _139 = textureLod(gHistoryCacheStateFiltered, _135, 0.0);
-    vec4 _143 = textureLod(gHistoryCacheFiltered, _135, 0.0);
-    float _144 = _143.x;
-    float _146 = _139.x;
-    float _149 = (_146 > 0.0) ? min(_146, 255.0) : 0.0;
-    float _155 = max(fma(parameters.gMissThreshold.y, _92, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _161 = _155 - abs(((abs(_114) <= 9.9999996802856924650656260769173e+37) ? _114 : 0.0) - _143.y);
-    float _164 = (_161 > 0.0) ? (_161 * (parameters.gConvergenceTime / _155)) : 0.0;
-    float _176 = abs(_144);
+    float _141 = max(fma(parameters.gMissThreshold.y, _92, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _145 = textureLod(gHistoryCacheFiltered, _135, 0.0);
+    vec4 _149 = textureLod(gHistoryCacheStateFiltered, _135, 0.0);
+    float _150 = _145.x;
+    float _151 = _149.x;
+    float _154 = (_151 > 0.0) ? min(_151, 255.0) : 0.0;
+    float _161 = _141 - abs(((abs(_114) <= 9.9999996802856924650656260769173e+37) ? _114 : 0.0) - _145.y);
+    float _164 = (_161 > 0.0) ? (_161 * (parameters.gConvergenceTime / _141)) : 0.0;
+    float _176 = abs(_150);
     float _179 = ((parameters.gHistoryValid > 0.5) && (_176 <= 65504.0)) ? (((_164 > 0.0) && all(lessThanEqual(abs(fma(_131, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_164, 1.0) : 0.0) : 0.0;
     float _192 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _194 = parameters.gSpeedPx.y - abs(length(fma(_75, parameters.gOutputSize.zw, -_135) * parameters.gOutputSize.xy));
     float _198 = ((_194 > 0.0) ? min(_194, _192) : 0.0) / _192;
     float _201 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _206 = _149 * _179;
+    float _206 = _154 * _179;
     float _209 = (_206 > 0.0) ? min(_206, 255.0) : 0.0;
     float _213 = min(min(_209 / (_209 + 1.0), _201), ((_201 * _198) * _198) * fma(-2.0, _198, 3.0));
     float _216 = (abs(_88) <= 9.9999996802856924650656260769173e+37) ? _88 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_213 > 0.0) ? ((_176 <= 9.9999996802856924650656260769173e+37) ? fma(_144 - _216, clamp(_213, 0.0, 1.0), _216) : _216) : _88, _92, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_149 > 0.0) ? min(_149, 255.0) : 0.0, (_179 > 0.0) ? min(_179, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_213 > 0.0) ? ((_176 <= 9.9999996802856924650656260769173e+37) ? fma(_150 - _216, clamp(_213, 0.0, 1.0), _216) : _216) : _88, _92, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_154 > 0.0) ? min(_154, 255.0) : 0.0, (_179 > 0.0) ? min(_179, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

@@ -20,8 +20,8 @@ layout(binding = 0, std140) uniform ReprojectionCacheParameters
 layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInFresh;
-layout(binding = 5) uniform sampler2D gHistoryCacheState;
 layout(binding = 3) uniform sampler2D gHistoryCache;
+layout(binding = 5) uniform sampler2D gHistoryCacheState;
 
 void main()
 {
@@ -32,25 +32,25 @@ void main()
     float _71 = _69.x;
     float _74 = (abs(_71) <= 65504.0) ? _71 : 0.0;
     float _78 = ((_70 > 0.0) && (_70 < 65504.0)) ? _70 : 65504.0;
-    vec4 _82 = textureLod(gHistoryCacheState, _65, 0.0);
-    vec4 _86 = textureLod(gHistoryCache, _65, 0.0);
-    float _87 = _86.x;
-    float _89 = _82.x;
-    float _92 = (_89 > 0.0) ? min(_89, 255.0) : 0.0;
-    float _98 = max(fma(parameters.gMissThreshold.y, _78, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _104 = _98 - abs(_78 - _86.y);
-    float _107 = (_104 > 0.0) ? (_104 * (parameters.gConvergenceTime / _98)) : 0.0;
-    float _119 = abs(_87);
+    float _84 = max(fma(parameters.gMissThreshold.y, _78, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _88 = textureLod(gHistoryCache, _65, 0.0);
+    vec4 _92 = textureLod(gHistoryCacheState, _65, 0.0);
+    float _93 = _88.x;
+    float _94 = _92.x;
+    float _97 = (_94 > 0.0) ? min(_94, 255.0) : 0.0;
+    float _104 = _84 - abs(_78 - _88.y);
+    float _107 = (_104 > 0.0) ? (_104 * (parameters.gConvergenceTime / _84)) : 0.0;
+    float _119 = abs(_93);
     float _122 = ((parameters.gHistoryValid > 0.5) && (_119 <= 65504.0)) ? (((_107 > 0.0) && all(lessThanEqual(abs(fma(_61, parameters.gOutputSize.zw, vec2(-0.5))), vec2(0.5)))) ? min(_107, 1.0) : 0.0) : 0.0;
     float _135 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _137 = parameters.gSpeedPx.y - abs(length(fma(_61, parameters.gOutputSize.zw, -_65) * parameters.gOutputSize.xy));
     float _141 = ((_137 > 0.0) ? min(_137, _135) : 0.0) / _135;
     float _144 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _149 = _92 * _122;
+    float _149 = _97 * _122;
     float _152 = (_149 > 0.0) ? min(_149, 255.0) : 0.0;
     float _156 = min(min(_152 / (_152 + 1.0), _144), ((_144 * _141) * _141) * fma(-2.0, _141, 3.0));
     float _159 = (abs(_74) <= 9.9999996802856924650656260769173e+37) ? _74 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_156 > 0.0) ? ((_119 <= 9.9999996802856924650656260769173e+37) ? fma(_87 - _159, clamp(_156, 0.0, 1.0), _159) : _159) : _74, _78, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_92 > 0.0) ? min(_92, 255.0) : 0.0, (_122 > 0.0) ? min(_122, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_156 > 0.0) ? ((_119 <= 9.9999996802856924650656260769173e+37) ? fma(_93 - _159, clamp(_156, 0.0, 1.0), _159) : _159) : _74, _78, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_97 > 0.0) ? min(_97, 255.0) : 0.0, (_122 > 0.0) ? min(_122, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

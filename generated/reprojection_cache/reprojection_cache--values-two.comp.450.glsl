@@ -21,8 +21,8 @@ layout(binding = 16) uniform writeonly image2D gOutCache;
 layout(binding = 17) uniform writeonly image2D gOutCacheState;
 layout(binding = 1) uniform sampler2D gInFresh;
 layout(binding = 7) uniform sampler2D gInCoarseDepth;
-layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 layout(binding = 4) uniform sampler2D gHistoryCacheFiltered;
+layout(binding = 6) uniform sampler2D gHistoryCacheStateFiltered;
 
 void main()
 {
@@ -39,25 +39,25 @@ void main()
     vec2 _124 = mix(vec2(-8.0), _118, bvec2((_113 > 0.0) && all(lessThanEqual(abs(_118), vec2(8.0)))));
     float _126 = dot(_110.zw, parameters.gClipToDepth);
     vec2 _132 = _124 * parameters.gFrameToCoarse;
-    vec4 _136 = textureLod(gHistoryCacheStateFiltered, _132, 0.0);
-    vec2 _141 = textureLod(gHistoryCacheFiltered, _132, 0.0).xy;
-    float _143 = _136.x;
-    float _146 = (_143 > 0.0) ? min(_143, 255.0) : 0.0;
-    float _152 = max(fma(parameters.gMissThreshold.y, _98, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
-    float _158 = _152 - abs(((abs(_126) <= 9.9999996802856924650656260769173e+37) ? _126 : 0.0) - _136.y);
-    float _161 = (_158 > 0.0) ? (_158 * (parameters.gConvergenceTime / _152)) : 0.0;
-    vec2 _173 = abs(_141);
+    float _138 = max(fma(parameters.gMissThreshold.y, _98, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
+    vec4 _146 = textureLod(gHistoryCacheStateFiltered, _132, 0.0);
+    vec2 _147 = textureLod(gHistoryCacheFiltered, _132, 0.0).xy;
+    float _148 = _146.x;
+    float _151 = (_148 > 0.0) ? min(_148, 255.0) : 0.0;
+    float _158 = _138 - abs(((abs(_126) <= 9.9999996802856924650656260769173e+37) ? _126 : 0.0) - _146.y);
+    float _161 = (_158 > 0.0) ? (_158 * (parameters.gConvergenceTime / _138)) : 0.0;
+    vec2 _173 = abs(_147);
     float _177 = ((parameters.gHistoryValid > 0.5) && all(lessThanEqual(_173, vec2(65504.0)))) ? (((_161 > 0.0) && all(lessThanEqual(abs(fma(_124, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_161, 1.0) : 0.0) : 0.0;
     float _190 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _192 = parameters.gSpeedPx.y - abs(length(fma(_77, parameters.gOutputSize.zw, -_132) * parameters.gOutputSize.xy));
     float _196 = ((_192 > 0.0) ? min(_192, _190) : 0.0) / _190;
     float _199 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _204 = _146 * _177;
+    float _204 = _151 * _177;
     float _207 = (_204 > 0.0) ? min(_204, 255.0) : 0.0;
     float _211 = min(min(_207 / (_207 + 1.0), _199), ((_199 * _196) * _196) * fma(-2.0, _196, 3.0));
     vec2 _216 = mix(vec2(0.0), _94, bvec2(all(lessThanEqual(abs(_94), vec2(9.9999996802856924650656260769173e+37)))));
-    vec2 _227 = mix(_94, mix(_216, _216 + ((_141 - _216) * clamp(_211, 0.0, 1.0)), bvec2(all(lessThanEqual(_173, vec2(9.9999996802856924650656260769173e+37))))), bvec2(_211 > 0.0));
+    vec2 _227 = mix(_94, mix(_216, _216 + ((_147 - _216) * clamp(_211, 0.0, 1.0)), bvec2(all(lessThanEqual(_173, vec2(9.9999996802856924650656260769173e+37))))), bvec2(_211 > 0.0));
     imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4(_227, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_146 > 0.0) ? min(_146, 255.0) : 0.0, (_177 > 0.0) ? min(_177, 1.0) : 0.0, 1.0), 255.0), _98, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_151 > 0.0) ? min(_151, 255.0) : 0.0, (_177 > 0.0) ? min(_177, 1.0) : 0.0, 1.0), 255.0), _98, 0.0, 0.0));
 }
 

@@ -19,8 +19,8 @@ layout(std140) uniform ReprojectionCacheParameters
 } parameters;
 
 uniform highp sampler2D gInFresh;
-uniform highp sampler2D gHistoryCacheStateFiltered;
 uniform highp sampler2D gHistoryCacheFiltered;
+uniform highp sampler2D gHistoryCacheStateFiltered;
 
 layout(location = 0) out vec4 gOutCache;
 layout(location = 1) out vec4 gOutCacheState;
@@ -40,25 +40,25 @@ void main()
     vec2 _110 = vec2(_109.x ? _104.x : vec2(-8.0).x, _109.y ? _104.y : vec2(-8.0).y);
     float _112 = dot(_96.zw, parameters.gClipToDepth);
     vec2 _118 = _110 * parameters.gFrameToCoarse;
-    vec4 _122 = textureLod(gHistoryCacheStateFiltered, _118, 0.0);
-    vec4 _126 = textureLod(gHistoryCacheFiltered, _118, 0.0);
-    float _127 = _126.x;
-    float _129 = _122.x;
-    float _132 = (_129 > 0.0) ? min(_129, 255.0) : 0.0;
-    float _138 = max(parameters.gMissThreshold.y * _84 + parameters.gMissThreshold.x, 9.9999999747524270787835121154785e-07);
-    float _144 = _138 - abs(((abs(_112) <= 9.9999996802856924650656260769173e+37) ? _112 : 0.0) - _126.y);
-    float _147 = (_144 > 0.0) ? (_144 * (parameters.gConvergenceTime / _138)) : 0.0;
-    float _159 = abs(_127);
+    float _124 = max(parameters.gMissThreshold.y * _84 + parameters.gMissThreshold.x, 9.9999999747524270787835121154785e-07);
+    vec4 _128 = textureLod(gHistoryCacheFiltered, _118, 0.0);
+    vec4 _132 = textureLod(gHistoryCacheStateFiltered, _118, 0.0);
+    float _133 = _128.x;
+    float _134 = _132.x;
+    float _137 = (_134 > 0.0) ? min(_134, 255.0) : 0.0;
+    float _144 = _124 - abs(((abs(_112) <= 9.9999996802856924650656260769173e+37) ? _112 : 0.0) - _128.y);
+    float _147 = (_144 > 0.0) ? (_144 * (parameters.gConvergenceTime / _124)) : 0.0;
+    float _159 = abs(_133);
     float _162 = ((parameters.gHistoryValid > 0.5) && (_159 <= 65504.0)) ? (((_147 > 0.0) && all(lessThanEqual(abs(_110 * parameters.gFrameToCoarse + vec2(-0.5)), vec2(0.5)))) ? min(_147, 1.0) : 0.0) : 0.0;
     float _175 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
     float _177 = parameters.gSpeedPx.y - abs(length((gl_FragCoord.xy * parameters.gOutputSize.zw + (-_118)) * parameters.gOutputSize.xy));
     float _181 = ((_177 > 0.0) ? min(_177, _175) : 0.0) / _175;
     float _184 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _189 = _132 * _162;
+    float _189 = _137 * _162;
     float _192 = (_189 > 0.0) ? min(_189, 255.0) : 0.0;
     float _196 = min(min(_192 / (_192 + 1.0), _184), ((_184 * _181) * _181) * ((-2.0) * _181 + 3.0));
     float _199 = (abs(_80) <= 9.9999996802856924650656260769173e+37) ? _80 : 0.0;
-    gOutCache = vec4((_196 > 0.0) ? ((_159 <= 9.9999996802856924650656260769173e+37) ? ((_127 - _199) * clamp(_196, 0.0, 1.0) + _199) : _199) : _80, _84, 0.0, 0.0);
-    gOutCacheState = vec4(min(((_132 > 0.0) ? min(_132, 255.0) : 0.0) * ((_162 > 0.0) ? min(_162, 1.0) : 0.0) + 1.0, 255.0), 0.0, 0.0, 0.0);
+    gOutCache = vec4((_196 > 0.0) ? ((_159 <= 9.9999996802856924650656260769173e+37) ? ((_133 - _199) * clamp(_196, 0.0, 1.0) + _199) : _199) : _80, _84, 0.0, 0.0);
+    gOutCacheState = vec4(min(((_137 > 0.0) ? min(_137, 255.0) : 0.0) * ((_162 > 0.0) ? min(_162, 1.0) : 0.0) + 1.0, 255.0), 0.0, 0.0, 0.0);
 }
 

@@ -15,15 +15,20 @@
 #if HISTORY_MOTION
 TEXTURE_POINT(gInVelocity, 2);
 #endif
-// A history that stands still lies texel on texel: there is nothing to filter. A filter between two packed
-// values makes a third, which neither of them is.
+// A history that stands still lies texel on texel: there is nothing to filter.
 #define READS_BETWEEN (RESAMPLING_BILINEAR && !HISTORY_STILL && !HISTORY_NONE)
-#if READS_BETWEEN
-#if VALUES_PACKED
+// A filter between two packed numbers makes a third, which neither of them is: their texels are read one by
+// one, and each is tested by its own depth.
+#define READS_TEXELS (!HISTORY_NONE && (VALUES_WITH_FRAMES || (VALUES_PACKED && READS_BETWEEN)))
+#if READS_TEXELS
 TEXTURE_POINT(gHistoryCache, 3);
+#if VALUES_WITH_FRAMES
+TEXTURE_POINT(gHistoryCoarseDepth, 10);
 #else
-TEXTURE_LINEAR(gHistoryCacheFiltered, 4);
+TEXTURE_LINEAR(gHistoryCacheStateFiltered, 6);
 #endif
+#elif READS_BETWEEN
+TEXTURE_LINEAR(gHistoryCacheFiltered, 4);
 TEXTURE_LINEAR(gHistoryCacheStateFiltered, 6);
 #elif !HISTORY_NONE
 TEXTURE_POINT(gHistoryCache, 3);
@@ -32,58 +37,95 @@ TEXTURE_POINT(gHistoryCacheState, 5);
 
 struct Cached {
     CachedValues values;
-    float frames, depth;
+    float frames;
+    float confidence;   // that they are of the same surface, [0,1]
 };
 
-#if !HISTORY_NONE
-#if VALUES_PACKED && READS_BETWEEN
-// Two values and depth, bilinear between four texels, each unpacked first and left out if it is broken.
-float3 readPackedBetween(float2 uv) {
+#if READS_TEXELS
+
+struct FourTexels {
+    float4 packed, depths, shares;   // shares: sum 1
+};
+
+FourTexels readTexels(float2 uv) {
+    FourTexels four;
+#if READS_BETWEEN
     float2 position = uv * gOutputSize.xy - 0.5;
     float2 low = floor(position);
+    float2 right = position - low, left = 1.0 - right;
+    four.shares = float4(left.x, right.x, left.x, right.x) * float4(left.y, left.y, right.y, right.y);
 #if HAS_GATHER
     float2 corner = (low + 1.0) * gOutputSize.zw;
-    float4 packed = GATHER_RED(gHistoryCache, corner).wzxy;
-    float4 depths = GATHER_GREEN(gHistoryCache, corner).wzxy;
+    four.packed = GATHER_RED(gHistoryCache, corner).wzxy;
+#if VALUES_WITH_FRAMES
+    four.depths = GATHER_RED(gHistoryCoarseDepth, corner).wzxy;
 #else
-    float4 packed, depths;
+    four.depths = GATHER_GREEN(gHistoryCache, corner).wzxy;
+#endif
+#else
     [unroll] for (int i = 0; i < 4; ++i) {
-        float2 texel = low + float2(float(i % 2), float(i / 2)) + 0.5;
-        packed[i] = SAMPLE(gHistoryCache, texel * gOutputSize.zw).r;
-        depths[i] = SAMPLE(gHistoryCache, texel * gOutputSize.zw).g;
+        float2 texelUv = (low + float2(float(i % 2), float(i / 2)) + 0.5) * gOutputSize.zw;
+        four.packed[i] = SAMPLE(gHistoryCache, texelUv).r;
+#if VALUES_WITH_FRAMES
+        four.depths[i] = SAMPLE(gHistoryCoarseDepth, texelUv).r;
+#else
+        four.depths[i] = SAMPLE(gHistoryCache, texelUv).g;
+#endif
     }
 #endif
-    float2 right = position - low, left = 1.0 - right;
-    float4 shares = float4(left.x, right.x, left.x, right.x) * float4(left.y, left.y, right.y, right.y);
-    shares = abs(packed) <= MAX_COLOUR ? shares * numberMask(depths) : 0.0;
-    depths = shares > 0.0 ? depths : 0.0;
-    return float3(sumOfPacked(packed, shares), dot(shares, depths)) / max(dot(shares, 1.0), 1e-6);
+#else
+    four.packed = SAMPLE(gHistoryCache, uv).r;
+    four.depths = SAMPLE(gHistoryCoarseDepth, uv).r;
+    four.shares = float4(1.0, 0.0, 0.0, 0.0);
+#endif
+    return four;
 }
-#endif
 
-Cached readHistory(float2 uv) {
+// The mean of the texels that show the surface: one of another beside it takes nothing from their frames.
+Cached readHistory(CachePlace place, float threshold) {
+    FourTexels four = readTexels(place.prevUv);
+    float4 confidence = cacheHistoryWeight(place, four.depths, threshold, gConvergenceTime / threshold);
+#if VALUES_WITH_FRAMES
+    VisibilitiesOfFour held = unpackWithFrames(four.packed);
+    confidence *= held.usable;
+#else
+    confidence = abs(four.packed) <= MAX_COLOUR ? confidence : 0.0;
+#endif
+    float4 shares = four.shares * confidence;
+    shares *= 1.0 / max(dot(shares, 1.0), 1e-6);
     Cached history;
-#if READS_BETWEEN
-    float4 state = SAMPLE(gHistoryCacheStateFiltered, uv);
+    history.confidence = dot(shares, confidence);
+#if VALUES_WITH_FRAMES
+    history.values = float2(dot(shares, held.occlusion), dot(shares, held.shadow));
+    history.frames = dot(shares, held.frames);
 #else
-    float4 state = SAMPLE(gHistoryCacheState, uv);
+    history.values = sumOfPacked(four.packed, shares);
+    history.frames = bounded(SAMPLE(gHistoryCacheStateFiltered, place.prevUv).r, 0.0, MAX_CONVERGENCE);
 #endif
-#if READS_BETWEEN && VALUES_PACKED
-    float3 texel = readPackedBetween(uv);
-    history.values = texel.xy;
-    history.depth = texel.z;
-#else
-#if READS_BETWEEN
-    float4 texel = SAMPLE(gHistoryCacheFiltered, uv);
-#else
-    float4 texel = SAMPLE(gHistoryCache, uv);
-#endif
-    history.values = unpackValues(texel);
-    history.depth = depthOf(texel, state);
-#endif
-    history.frames = bounded(state.r, 0.0, MAX_CONVERGENCE);
     return history;
 }
+
+#elif !HISTORY_NONE
+
+Cached readHistory(CachePlace place, float threshold) {
+#if READS_BETWEEN
+    float4 texel = SAMPLE(gHistoryCacheFiltered, place.prevUv);
+    float4 state = SAMPLE(gHistoryCacheStateFiltered, place.prevUv);
+#else
+    float4 texel = SAMPLE(gHistoryCache, place.prevUv);
+    float4 state = SAMPLE(gHistoryCacheState, place.prevUv);
+#endif
+    Cached history;
+    history.values = unpackValues(texel);
+    history.frames = bounded(state.r, 0.0, MAX_CONVERGENCE);
+    history.confidence =
+        cacheHistoryWeight(place, depthOf(texel, state), threshold, gConvergenceTime / threshold);
+    return history;
+}
+
+#endif
+
+#if !HISTORY_NONE
 
 // Where the history lies, over this image. Motion vectors carry no depth: the camera's is taken.
 CachePlace findPlace(float2 uv, float depth) {
@@ -154,13 +196,17 @@ float likeness(CachedValues values, Surroundings around) {
 
 struct CacheTexel {
     float4 values : SV_Target0;   // four components, for shader model 3 takes no fewer
+#if !VALUES_WITH_FRAMES
     float4 state : SV_Target1;
+#endif
 };
 
 CacheTexel cacheTexel(CachedValues values, float frames, float depth) {
     CacheTexel texel;
-    texel.values = packValues(values, depth);
+    texel.values = packValues(values, frames, depth);
+#if !VALUES_WITH_FRAMES
     texel.state = packState(frames, depth);
+#endif
     return texel;
 }
 
@@ -178,11 +224,9 @@ CacheTexel cachedTexel(float2 uv, FreshTexel fresh) {
     return cacheTexel(fresh.values, 1.0, fresh.depth);
 #else
     CachePlace place = findPlace(uv, fresh.depth);
-    Cached history = readHistory(place.prevUv);
-
     float threshold = max(gMissThreshold.x + gMissThreshold.y * fresh.depth, 1e-6);
-    float confidence = cacheHistoryWeight(place, history.depth, threshold, gConvergenceTime / threshold);
-    confidence = gHistoryValid > 0.5 && areCacheable(history.values) ? confidence : 0.0;
+    Cached history = readHistory(place, threshold);
+    float confidence = gHistoryValid > 0.5 && areCacheable(history.values) ? history.confidence : 0.0;
 #if CHANGE_DETECTION
     confidence = confidence > 0.0 ? confidence * likeness(history.values, fresh.around) : 0.0;
 #endif

@@ -99,7 +99,7 @@ float4 filteredTexel(Tap taps[TAP_COUNT], float frames) {
         total += isUsable ? weight : 0.0;
     }
     CachedValues mean = total > 1e-30 ? sum * (1.0 / total) : 0.0;
-    return packValues(mean, bounded(centreDepth, 0.0, SKY_DEPTH));
+    return packValues(mean, 0.0, bounded(centreDepth, 0.0, SKY_DEPTH));
 }
 
 #if !GATHERS

@@ -7,7 +7,7 @@
 // gInDepth         R32F or D32F, device depth in [0,1] (any depth kind), or metres with DEPTH_LINEAR
 // gInNormal        NORMAL_WEIGHTS: view space, unit, of the frame. A coarse texel has the normal of one of
 //                  its pixels, the same as ambient_occlusion takes
-// gOutUpsampled    the value, both or all four; of a packed pair occlusion and shadow
+// gOutUpsampled    the value, both or all four; of packed ones occlusion and shadow
 // A coarse sample that is NaN or beyond MAX_COLOUR has no share; of four such 0 remains. A depth that is none
 // counts as sky.
 
@@ -82,6 +82,12 @@ CoarseTexels readCoarse(CoarseFootprint footprint, float2 positionPx) {
                SAMPLE(gInCoarseDepth, footprint.leftDown).r, SAMPLE(gInCoarseDepth, footprint.rightDown).r);
 #endif
     coarse.depths = depths > 0.0 ? min(depths, SKY_DEPTH) : SKY_DEPTH;
+#if HAS_GATHER && VALUES_WITH_FRAMES
+    VisibilitiesOfFour four = unpackWithFrames(GATHER_RED(gInFiltered, corner).wzxy);
+    [unroll] for (int texel = 0; texel < 4; ++texel)
+        coarse.values[texel] = float2(four.occlusion[texel], four.shadow[texel]);
+    coarse.usable = four.usable;
+#else
 #if HAS_GATHER && !VALUES_FOUR
     float4 red = GATHER_RED(gInFiltered, corner).wzxy, green = 0.0;
 #if VALUES_TWO
@@ -99,6 +105,7 @@ CoarseTexels readCoarse(CoarseFootprint footprint, float2 positionPx) {
         coarse.usable[i] = areCacheable(coarse.values[i]) ? 1.0 : 0.0;
         coarse.values[i] = coarse.usable[i] > 0.5 ? coarse.values[i] : 0.0;
     }
+#endif
 #if NORMAL_WEIGHTS
     coarse.normals[0] = readCoarseNormal(footprint.leftUp);
     coarse.normals[1] = readCoarseNormal(footprint.rightUp);
@@ -135,7 +142,9 @@ BINDING(16) RWTexture2D<float4> gOutUpsampled;
 
 // Four pixels between the centres of the same coarse texels: one gather for each of three images. Of a ratio
 // of 2 such pixels begin one before a multiple of two, so that groups cover a pixel more than the image has.
-[numthreads(16, 16, 1)]
+// A row of a group is wide enough for the cores of a CPU not to share its lines: 16x16 takes them half as
+// long again.
+[numthreads(32, 8, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
 #if RATIO_4
     float2 first = 2.0 * float2(thread.xy);

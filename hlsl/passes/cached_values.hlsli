@@ -7,8 +7,10 @@
 //   occlusion_in_, shadow_in_..   float2         both packed in one, depth      frames
 //   two                           float2         value, value                   frames, depth
 //   four                          float4         four values                    frames, depth
+//   with_frames                   float2         both and the frames packed     none; depth is coarse depth
 //
-// Frames: how many the history holds (exponential_history.hlsli). Depth: linear, metres.
+// Frames: how many the history holds (exponential_history.hlsli). Depth: linear, metres. What is fresh comes
+// as two values where the cache packs frames beside them.
 #ifndef REPRISE_CACHED_VALUES_HLSLI
 #define REPRISE_CACHED_VALUES_HLSLI
 
@@ -18,7 +20,7 @@
 
 #define VALUES_PACKED (VALUES_OCCLUSION_IN_INTEGER || VALUES_SHADOW_IN_INTEGER)
 // Depth lies beside the frames, and fresh values bring none.
-#define DEPTH_APART (VALUES_TWO || VALUES_FOUR)
+#define DEPTH_APART (VALUES_TWO || VALUES_FOUR || VALUES_WITH_FRAMES)
 
 #if VALUES_FOUR
 typedef float4 CachedValues;
@@ -42,7 +44,7 @@ bool areCacheable(CachedValues values) {
 #endif
 }
 
-// Of a texel that holds no packed pair what is no number, so that means leave it out.
+// Of a texel that holds nothing packed what is no number, so that means leave it out.
 CachedValues unpackValues(float4 texel) {
 #if VALUES_OCCLUSION_IN_INTEGER
     return abs(texel.r) <= MAX_COLOUR ? unpackOcclusionInInteger(texel.r) : 2.0 * LARGEST_NUMBER;
@@ -52,6 +54,9 @@ CachedValues unpackValues(float4 texel) {
     return texel.r;
 #elif VALUES_TWO
     return texel.rg;
+#elif VALUES_WITH_FRAMES
+    VisibilitiesOfFour same = unpackWithFrames(texel.rrrr);
+    return same.usable.x > 0.5 ? float2(same.occlusion.x, same.shadow.x) : 2.0 * LARGEST_NUMBER;
 #else
     return texel;
 #endif
@@ -68,9 +73,13 @@ float2 sumOfPacked(float4 packed, float4 shares) {
 }
 #endif
 
-// As a cache takes them: what it cannot hold counts as 0.
+// Of a fresh texel, as a cache takes them: what it cannot hold counts as 0.
 CachedValues knownValues(float4 texel) {
+#if VALUES_WITH_FRAMES
+    CachedValues values = texel.rg;
+#else
     CachedValues values = unpackValues(texel);
+#endif
     return abs(values) <= MAX_COLOUR ? values : 0.0;
 }
 
@@ -92,8 +101,8 @@ float smallest(CachedValues values) {
 #endif
 }
 
-// The texel of values: depth has its place beside one or a packed pair.
-float4 packValues(CachedValues values, float depth) {
+// The texel of values: depth has its place beside one or a packed pair, frames in with_frames.
+float4 packValues(CachedValues values, float frames, float depth) {
 #if VALUES_OCCLUSION_IN_INTEGER
     return float4(packOcclusionInInteger(values.x, values.y), depth, 0.0, 0.0);
 #elif VALUES_SHADOW_IN_INTEGER
@@ -102,12 +111,14 @@ float4 packValues(CachedValues values, float depth) {
     return float4(values, depth, 0.0, 0.0);
 #elif VALUES_TWO
     return float4(values, 0.0, 0.0);
+#elif VALUES_WITH_FRAMES
+    return float4(packWithFrames(values, frames), 0.0, 0.0, 0.0);
 #else
     return values;
 #endif
 }
 
-// The texel of state.
+// The texel of state, of what has one.
 float4 packState(float frames, float depth) {
 #if DEPTH_APART
     return float4(frames, depth, 0.0, 0.0);

@@ -72,7 +72,9 @@ TEXTURE_POINT(gInShadowMap, 8);
 #endif
 
 BINDING(16) RWTexture2D<float4> gOutCache;
+#if !VALUES_WITH_FRAMES
 BINDING(17) RWTexture2D<float4> gOutCacheState;
+#endif
 
 FreshTexel computeFresh(float2 positionPx) {
     float2 uv = pxToUv(positionPx, gOutputSize.zw);
@@ -153,5 +155,7 @@ void mainCompute(uint3 thread : SV_DispatchThreadID, uint3 local : SV_GroupThrea
 #endif
     CacheTexel texel = cachedTexel(pxToUv(positionPx, gOutputSize.zw), fresh);
     gOutCache[thread.xy] = texel.values;
+#if !VALUES_WITH_FRAMES
     gOutCacheState[thread.xy] = texel.state;
+#endif
 }

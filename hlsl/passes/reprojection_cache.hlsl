@@ -4,11 +4,12 @@
 // What the images hold by VALUES: cached_values.hlsli.
 //
 // gInFresh            values of this frame; beside one or a packed pair linear depth in metres
-// gInCoarseDepth      VALUES two and four: linear depth of depth_downsample
+// gInCoarseDepth      VALUES two, four, with_frames: linear depth of depth_downsample
 // gInVelocity         HISTORY motion: motion times gMotionToUv = currUv - prevUv without jitter, of the frame
 // gHistoryCache       gOutCache of the frame before, or what bilateral_filter made of it; any content where
 //                     gHistoryValid is 0. gHistoryCacheFiltered is the same image under a linear filter
 // gHistoryCacheState  gOutCacheState of the frame before, and gHistoryCacheStateFiltered the same so
+// gHistoryCoarseDepth VALUES with_frames, which has no state: gInCoarseDepth of the frame before
 // gOutCache           values
 // gOutCacheState      frames that the history holds; beside two and four values depth
 // A value beyond MAX_COLOUR or NaN counts as 0, in history as none. SKY_DEPTH takes part like a surface.
@@ -121,13 +122,17 @@ CacheTexel cachedTexel(float2 positionPx) {
 #if STAGE_COMPUTE
 
 BINDING(16) RWTexture2D<float4> gOutCache;
+#if !VALUES_WITH_FRAMES
 BINDING(17) RWTexture2D<float4> gOutCacheState;
+#endif
 
 [numthreads(16, 16, 1)]
 void mainCompute(uint3 thread : SV_DispatchThreadID) {
     CacheTexel texel = cachedTexel(float2(thread.xy) + 0.5);
     gOutCache[thread.xy] = texel.values;
+#if !VALUES_WITH_FRAMES
     gOutCacheState[thread.xy] = texel.state;
+#endif
 }
 
 #else

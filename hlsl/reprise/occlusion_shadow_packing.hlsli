@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two values of [0,1] in one binary16: Drobot, Listing 7.4. One becomes a whole number from 0 to 31, the
+// Two values of [0,1] in one binary16: Drobot, Listing 7.4; and in one binary32, with the frames of their
+// history (the end of this file). In the binary16 one becomes a whole number from 0 to 31, the
 // other the fraction. Never to be read through a linear filter. Text and listing disagree on which is which:
 // both are here. A binary16 has 11 significant bits, (range + 1) levels of the fraction <= 2^11: 31 leaves it
 // 64 (docs/documents.md).
@@ -68,6 +69,39 @@ float2 UnpackOccShadow(float OccShadow) {
     float known = bounded(OccShadow, 0.0, PACK_RANGE + 1.0 - MIN_FLT);
     float integer = floor(known);
     return float2(min(integer / PACK_RANGE, 1.0), known - integer);
+}
+
+// --- With the frames of their history
+
+// A whole number below 2^24, which a binary32 holds: frames in the highest 4 bits, occlusion in 10, shadow in
+// the lowest 10.
+static const float UNIT_STEPS = 1023.0;
+static const float MAX_PACKED_FRAMES = 15.0;
+
+// values: (occlusion, shadow), to the nearest of 1024 levels (error 1/2046). frames: to the nearest whole
+// number up to MAX_PACKED_FRAMES. NaN is 0.
+float packWithFrames(float2 values, float frames) {
+    float2 levels = floor(bounded(values, 0.0, 1.0) * UNIT_STEPS + 0.5);
+    return (floor(bounded(frames, 0.0, MAX_PACKED_FRAMES) + 0.5) * 1024.0 + levels.x) * 1024.0 + levels.y;
+}
+
+struct VisibilitiesOfFour {
+    float4 occlusion, shadow;   // [0,1]
+    float4 frames;              // [0, MAX_PACKED_FRAMES]
+    float4 usable;              // 1; or 0 for a number below 0 or from 2^24 on and NaN, which hold 0
+};
+
+// Of four texels, for what reads several reads them by a gather.
+VisibilitiesOfFour unpackWithFrames(float4 packed) {
+    VisibilitiesOfFour four;
+    four.usable = packed >= 0.0 && packed < 16777216.0 ? 1.0 : 0.0;
+    float4 known = four.usable > 0.5 ? packed : 0.0;
+    four.frames = floor(known * (1.0 / 1048576.0));
+    float4 both = known - four.frames * 1048576.0;
+    float4 level = floor(both * (1.0 / 1024.0));
+    four.occlusion = level * (1.0 / UNIT_STEPS);
+    four.shadow = min((both - level * 1024.0) * (1.0 / UNIT_STEPS), 1.0);
+    return four;
 }
 
 #endif

@@ -54,6 +54,13 @@ float cacheHistoryWeight(CachePlace place, float cacheDepth, float missThreshold
     return missRate > 0.0 && isInsideUv(place.prevUv) ? min(missRate, 1.0) : 0.0;
 }
 
+// Of the four texels around the place, each by its own depth.
+float4 cacheHistoryWeight(CachePlace place, float4 cacheDepths, float missThreshold, float convergenceTime) {
+    float4 room = missThreshold - abs(place.lastDepth - cacheDepths);
+    float4 missRate = room > 0.0 ? room * convergenceTime : 0.0;
+    return missRate > 0.0 && isInsideUv(place.prevUv) ? min(missRate, 1.0) : 0.0;
+}
+
 // freshData moved towards reproData by the weight of history. A history that is no number is left out
 // whatever its weight; fresh data that is none counts as 0, so that it does not stay.
 float reproCache(float freshData, float reproData, float weight) {

@@ -195,10 +195,16 @@ Result<void> checkCache(const SceneNeeds& needs, const CacheSettings& cache) {
     if (!(cache.filterStep > 0.0f) || !std::isfinite(cache.filterStep))
         return Error{ErrorCode::invalidArgument, "CacheSettings::filterStep is not a number above 0."};
     if (cache.packing != "occlusion_in_integer" && cache.packing != "shadow_in_integer" &&
-        cache.packing != "two")
+        cache.packing != framesPacking && cache.packing != "two")
+        return Error{
+            ErrorCode::invalidArgument,
+            "CacheSettings::packing is occlusion_in_integer, shadow_in_integer, with_frames or two, not '" +
+                std::string(cache.packing) + "'."};
+    const bool packsFrames = cache.packing == framesPacking && needs.ambientOcclusion && needs.sunShadows;
+    if (packsFrames && (cache.filter || !cache.history))
         return Error{ErrorCode::invalidArgument,
-                     "CacheSettings::packing is occlusion_in_integer, shadow_in_integer or two, not '" +
-                         std::string(cache.packing) + "'."};
+                     "CacheSettings::packing with_frames takes history and no filter; turn "
+                     "CacheSettings::filter off and history on, or choose another packing."};
     if (!isOcclusion(cache.occlusion))
         return Error{ErrorCode::invalidArgument, "CacheSettings::occlusion is ambient_occlusion or "
                                                  "scalable_obscurance, not '" +

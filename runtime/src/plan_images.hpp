@@ -10,6 +10,7 @@ inline constexpr std::string_view temporalPass = "temporal_aa", velocityImage = 
 inline constexpr std::string_view upsamplePass = "bilateral_upsample", combinePass = "combine_lighting";
 inline constexpr std::string_view cachePass = "reprojection_cache", filterPass = "bilateral_filter";
 inline constexpr std::string_view lightingCachePass = "lighting_cache";
+inline constexpr std::string_view framesPacking = "with_frames"; // CacheSettings::packing
 inline constexpr std::string_view obscurancePass = "scalable_obscurance",
                                   obscuranceFilterPass = "obscurance_filter";
 

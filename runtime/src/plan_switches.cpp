@@ -100,7 +100,10 @@ Result<void> applyChoices(Variant& variant, const SceneNeeds& needs, const Setti
                           std::vector<Dropped>& dropped) {
     for (const Choice& choice : choicesFor(needs, settings)) {
         if (!hasSwitch(*variant.pass, choice.switchName)) continue;
-        if (auto set = setSwitch(variant, choice.switchName, choice.value); !set) return set;
+        // What is fresh has no frames to pack: it comes as two values.
+        const bool isFresh = choice.value == framesPacking && variant.pass->name == "sun_shadow";
+        if (auto set = setSwitch(variant, choice.switchName, isFresh ? "two" : choice.value); !set)
+            return set;
         if (!choice.reason.empty())
             dropped.push_back({std::string(variant.pass->name) + ": " + std::string(choice.switchName),
                                std::string(choice.reason)});

@@ -12,7 +12,7 @@
 namespace oracle {
 
 struct CachePass {
-    enum class Values { one, two, four, occlusionInInteger, shadowInInteger };
+    enum class Values { one, two, four, occlusionInInteger, shadowInInteger, withFrames };
     Values values = Values::one;
     enum class History { camera, motion, still, none };
     History where = History::camera;
@@ -24,10 +24,10 @@ struct CachePass {
     dvec2 change{1.2, 0.1}; // deviations, and a difference, that history may differ by
     double convergenceTime = 2.0, maxWeight = 0.9, historyValid = 1.0;
     const Image* fresh = nullptr;
-    const Image* coarseDepth = nullptr; // of two and four values
+    const Image* coarseDepth = nullptr; // of two and four values, and with frames
     const Image* velocity = nullptr;    // at the frame's extent
     const Image* history = nullptr;     // values, beside one or a packed pair depth
-    const Image* state = nullptr;       // frames, beside two and four values depth
+    const Image* state = nullptr;       // frames, beside two and four values depth; with frames depth alone
 };
 
 inline bool isNumber(double value, double largest = 1e38) {
@@ -38,9 +38,26 @@ inline bool isPacked(CachePass::Values values) {
     return values == CachePass::Values::occlusionInInteger || values == CachePass::Values::shadowInInteger;
 }
 
-// Of two and four values depth lies beside the frames.
+// Of two and four values depth lies beside the frames, and with frames in an image of its own.
 inline bool isDepthApart(CachePass::Values values) {
-    return values == CachePass::Values::two || values == CachePass::Values::four;
+    return values == CachePass::Values::two || values == CachePass::Values::four ||
+           values == CachePass::Values::withFrames;
+}
+
+// Occlusion, shadow and frames, all NaN in what no packing wrote.
+inline dvec3 unpackedWithFrames(double packed) {
+    if (!(packed >= 0.0 && packed < 0x1p24)) return dvec3(std::nan(""));
+    const double frames = std::floor(packed / 0x1p20), both = packed - frames * 0x1p20;
+    const double level = std::floor(both / 1024.0);
+    return {level / 1023.0, std::min((both - 1024.0 * level) / 1023.0, 1.0), frames};
+}
+
+inline double packedWithFrames(dvec2 values, double frames) {
+    const auto nearest = [](double value, double most) {
+        return std::floor(std::clamp(value, 0.0, 1.0) * most + 0.5);
+    };
+    return nearest(frames / 15.0, 15.0) * 0x1p20 + nearest(values.x, 1023.0) * 1024.0 +
+           nearest(values.y, 1023.0);
 }
 
 inline int valueCount(CachePass::Values values) {
@@ -59,6 +76,7 @@ inline dvec4 unpackedValues(CachePass::Values values, dvec4 texel) {
     if (values == CachePass::Values::one) return {texel.x, 0.0, 0.0, 0.0};
     if (values == CachePass::Values::two) return {texel.x, texel.y, 0.0, 0.0};
     if (values == CachePass::Values::four) return texel;
+    if (values == CachePass::Values::withFrames) return {dvec2(unpackedWithFrames(texel.x)), 0.0, 0.0};
     if (!isNumber(texel.x, 65504.0)) return dvec4(std::nan(""));
     const double last = 1.0 - fractionStep(31), known = std::clamp(texel.x, 0.0, 31.0 + last);
     const double whole = std::floor(known) / 31.0, part = std::min((known - std::floor(known)) / last, 1.0);
@@ -66,8 +84,8 @@ inline dvec4 unpackedValues(CachePass::Values values, dvec4 texel) {
                                                            : dvec4(part, whole, 0.0, 0.0);
 }
 
-// The texel of values, depth beside them where it has its place there.
-inline dvec4 packedValues(CachePass::Values values, dvec4 unpacked, double depth) {
+// The texel of values, depth beside them where it has its place there, or the frames.
+inline dvec4 packedValues(CachePass::Values values, dvec4 unpacked, double depth, double frames = 1.0) {
     switch (values) {
     case CachePass::Values::occlusionInInteger:
         return {packPair(unpacked.x, unpacked.y), depth, 0.0, 0.0};
@@ -75,6 +93,8 @@ inline dvec4 packedValues(CachePass::Values values, dvec4 unpacked, double depth
         return {packPair(unpacked.y, unpacked.x), depth, 0.0, 0.0};
     case CachePass::Values::one:
         return {unpacked.x, depth, 0.0, 0.0};
+    case CachePass::Values::withFrames:
+        return {packedWithFrames(dvec2(unpacked), frames), 0.0, 0.0, 0.0};
     case CachePass::Values::two:
     case CachePass::Values::four:
         break;
@@ -112,20 +132,28 @@ inline CachePoint cachePoint(const CachePass& pass, ivec2 texel, double depth) {
     return point;
 }
 
-// Of a linear filter one broken texel breaks all; of unpacked ones it is left out.
 struct CacheRead {
     dvec4 values{0.0};
-    double frames = 0.0, depth = 0.0;
-    bool usable = true;
+    double frames = 0.0, confidence = 0.0;
 };
 
-inline CacheRead readCache(const CachePass& pass, dvec2 texel) {
+// How far a history of that depth is believed where another is expected.
+inline double depthConfidence(const CachePass& pass, double expected, double depth, double threshold) {
+    const double room = 1.0 - std::abs(expected - depth) / threshold;
+    return isNumber(depth) ? std::clamp(room * pass.convergenceTime, 0.0, 1.0) : 0.0;
+}
+
+// Packed texels are read one by one: each counts by its own depth, and those that count tell how far all are
+// believed. Of a linear filter the mean's depth counts, and one broken texel breaks all.
+inline CacheRead readCache(const CachePass& pass, dvec2 texel, double expectedDepth, double threshold) {
     const dvec2 position = texel - 0.5;
     const ivec2 first(texelIndex(position.x, pass.history->width),
                       texelIndex(position.y, pass.history->height));
     const dvec2 share = glm::clamp(position - dvec2(first), 0.0, 1.0);
+    const bool framed = pass.values == CachePass::Values::withFrames;
+    const bool apart = framed || (isPacked(pass.values) && pass.bilinear);
     CacheRead sum;
-    double total = 0.0;
+    double depthSum = 0.0, total = 0.0;
     for (int i = 0; i < 4; ++i) {
         const ivec2 at = pass.bilinear ? first + ivec2(i % 2, i / 2)
                                        : ivec2(texelIndex(texel.x, pass.history->width),
@@ -137,21 +165,33 @@ inline CacheRead readCache(const CachePass& pass, dvec2 texel) {
         const dvec4 state = texelClamped(*pass.state, at.x, at.y);
         const dvec4 values = unpackedValues(pass.values, read);
         const double depth = isDepthApart(pass.values) ? state.y : read.y;
-        sum.frames += weight * state.x;
-        if (isPacked(pass.values) && pass.bilinear && !(isCacheable(values) && isNumber(depth))) continue;
+        if (!framed) sum.frames += weight * state.x;
+        if (apart) {
+            const double confidence = depthConfidence(pass, expectedDepth, depth, threshold);
+            weight *= isCacheable(values) ? confidence : 0.0;
+            if (weight == 0.0) continue;
+            sum.confidence += weight * confidence;
+            if (framed) sum.frames += weight * unpackedWithFrames(read.x).z;
+        }
         sum.values += weight * values;
-        sum.depth += weight * depth;
+        depthSum += weight * depth;
         total += weight;
     }
-    if (total > 1e-6) sum = {sum.values / total, sum.frames, sum.depth / total};
+    if (apart) {
+        const double per = 1.0 / std::max(total, 1e-6);
+        sum = {sum.values * per, framed ? sum.frames * per : sum.frames, sum.confidence * per};
+    } else if (isCacheable(sum.values)) {
+        sum.confidence = depthConfidence(pass, expectedDepth, depthSum, threshold);
+    }
     sum.frames = held(sum.frames, 0.0, 255.0);
-    sum.usable = total > 1e-6 && isCacheable(sum.values) && isNumber(sum.depth);
     return sum;
 }
 
-// What a texel of this frame counts as: what is no number is 0.
+// What a texel of this frame counts as: what is no number is 0. Where frames are packed too, it has none.
 inline dvec4 freshValues(const CachePass& pass, int x, int y) {
-    dvec4 values = unpackedValues(pass.values, texelClamped(*pass.fresh, x, y));
+    const bool framed = pass.values == CachePass::Values::withFrames;
+    dvec4 values = unpackedValues(framed ? CachePass::Values::two : pass.values,
+                                  texelClamped(*pass.fresh, x, y));
     for (int i = 0; i < 4; ++i)
         if (!isNumber(values[i], 65504.0)) values[i] = 0.0;
     return values;
@@ -204,13 +244,10 @@ inline CacheTexel cacheTexel(const CachePass& pass, int x, int y, dvec2 away = d
         CachePoint point = cachePoint(pass, {x, y}, result.depth);
         if (pass.where == CachePass::History::still) away = dvec2(0.0), awayDepth = 0.0;
         point.texel += away;
-        const CacheRead history = readCache(pass, point.texel);
         const double threshold = pass.missThreshold.x + pass.missThreshold.y * result.depth;
-        double confidence = 0.0;
-        if (pass.historyValid > 0.5 && history.usable && isInsideUv(point.texel / pass.history->extent())) {
-            const double difference = std::abs(point.depth + awayDepth - history.depth);
-            confidence = std::clamp((1.0 - difference / threshold) * pass.convergenceTime, 0.0, 1.0);
-        }
+        const CacheRead history = readCache(pass, point.texel, point.depth + awayDepth, threshold);
+        const bool known = pass.historyValid > 0.5 && isInsideUv(point.texel / pass.history->extent());
+        double confidence = known ? history.confidence : 0.0;
         if (pass.detectsChange && confidence > 0.0) confidence *= likeness(pass, {x, y}, history.values);
         const double moving = velocityWeight(glm::length(point.travelled - away), pass.maxWeight,
                                              pass.speedPx.x, pass.speedPx.y);
@@ -221,7 +258,7 @@ inline CacheTexel cacheTexel(const CachePass& pass, int x, int y, dvec2 away = d
                 weight > 0.0 ? exponentialHistory(history.values[i], current[i], weight) : current[i];
         result.frames = nextConvergence(history.frames, confidence);
     }
-    result.values = packedValues(pass.values, result.unpacked, result.depth);
+    result.values = packedValues(pass.values, result.unpacked, result.depth, result.frames);
     return result;
 }
 

@@ -86,6 +86,7 @@ CachePass::Values cachedValuesOf(const Variant& variant) {
     return value == "one"                    ? CachePass::Values::one
            : value == "two"                  ? CachePass::Values::two
            : value == "four"                 ? CachePass::Values::four
+           : value == "with_frames"          ? CachePass::Values::withFrames
            : value == "occlusion_in_integer" ? CachePass::Values::occlusionInInteger
                                              : CachePass::Values::shadowInInteger;
 }

@@ -21,7 +21,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, BilateralUpsample, testing::Values(Stage::fragm
 
 std::vector<Variant> allVariants() {
     std::vector<Variant> variants;
-    for (const std::string_view values : {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer"})
+    for (const std::string_view values : {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer", "with_frames"})
         for (int bits = 0; bits < 16; ++bits) {
             const auto value = [&](int bit) { return (bits >> bit & 1) != 0 ? "on" : "off"; };
             variants.push_back(variantOf(pack(), "bilateral_upsample",

@@ -25,7 +25,8 @@ std::vector<Variant> allVariants() {
                             {"one", "shadow"},
                             {"two", "both"},
                             {"occlusion_in_integer", "both"},
-                            {"shadow_in_integer", "both"}})
+                            {"shadow_in_integer", "both"},
+                            {"with_frames", "both"}})
         for (const std::string_view change : {"off", "on"})
             for (const std::string_view history : {"camera", "motion", "still", "none"})
                 for (const std::string_view orthographic : {"off", "on"})
@@ -37,6 +38,7 @@ std::vector<Variant> allVariants() {
                          {"HALF_DEPTH", kind.fresh == "shadow" ? "off" : "on"}});
     add({{"NORMALS", "read"}});
     add({{"SAMPLES", "8"}, {"RESAMPLING", "nearest"}, {"CHANGE_DETECTION", "on"}});
+    add({{"RESAMPLING", "nearest"}, {"VALUES", "with_frames"}, {"FRESH", "both"}, {"SAMPLES", "1"}});
     add({{"CASCADES", "4"}, {"SHADOW_REVERSED", "on"}, {"FRESH", "both"}, {"VALUES", "two"}});
     return variants;
 }
@@ -47,7 +49,7 @@ TEST_F(LightingCache, equalsThePassesWhoseWorkItDoes) {
         if (reprise::switchValue(variant, "VALUES").ends_with("in_integer") &&
             reprise::switchValue(variant, "CHANGE_DETECTION") == "on")
             continue;
-        Pass merged(variant, Stage::compute, {rgba32f, rg32f});
+        Pass merged(variant, Stage::compute, formatsOf(variant));
         SeparatePasses separate(variant);
         for (const auto& [width, height] : {std::pair{1, 1}, {2, 2}, {7, 5}, {39, 37}}) {
             const LightingCacheCase frame = lightingCacheCase(variant, width, height, 121);
@@ -94,18 +96,19 @@ TEST_F(LightingCache, packedPairsAreThoseOfTwoValues) {
 // Broken texels of every input: all that comes out is what a history can hold.
 TEST_F(LightingCache, brokenTexelsLeaveNumbers) {
     for (const Variant& variant : allVariants()) {
-        Pass merged(variant, Stage::compute, {rgba32f, rg32f});
+        Pass merged(variant, Stage::compute, formatsOf(variant));
         for (const float value :
              {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, 1e38f, 1e-30f}) {
             LightingCacheCase frame = lightingCacheCase(variant, 33, 17, 122);
             for (Pixels* poisoned :
                  {&frame.occlusion.depth, &frame.halfDepth, &frame.occlusion.normal, &frame.shadow.map,
-                  &frame.cache.velocity, &frame.cache.history, &frame.cache.state})
+                  &frame.cache.velocity, &frame.cache.history, &frame.cache.state,
+                  &frame.cache.historyDepth})
                 for (size_t i = 0; i < poisoned->values.size(); i += 5)
                     poisoned->values[i] = value;
             for (const Pixels& got : run(merged, frame))
                 for (const float each : got.values)
-                    ASSERT_TRUE(std::abs(each) <= 65504.0f)
+                    ASSERT_TRUE(std::abs(each) <= (got.format == r32f ? 0x1p24f : 65504.0f))
                         << describe(variant, Stage::compute, 33, 17) << ": " << value;
         }
     }

@@ -28,7 +28,8 @@ Texel valueTexel(const CachePass& pass, uint64_t seed, int x, int y, uint64_t wh
     glm::dvec4 values;
     for (int i = 0; i < 4; ++i)
         values[i] = unit(seed, x, y, what + static_cast<uint64_t>(i));
-    const glm::vec4 texel(oracle::packedValues(pass.values, values, depth));
+    const double frames = std::floor(15.0 * unit(seed, x, y, what + 4)) + 1.0;
+    const glm::vec4 texel(oracle::packedValues(pass.values, values, depth, frames));
     return {texel.x, texel.y, texel.z, texel.w};
 }
 
@@ -81,6 +82,11 @@ void setParameters(ReprojectionCacheCase& frame) {
     p.gHistoryValid = static_cast<float>(pass.historyValid);
 }
 
+Pixels depthsOf(const Pixels& state) {
+    return makePixels(r32f, state.width, state.height,
+                      [&](int x, int y) { return Texel{state.at(x, y, 1)}; });
+}
+
 ReprojectionCacheCase reprojectionCacheCase(const Variant& variant, int width, int height, uint64_t seed) {
     ReprojectionCacheCase made;
     CachePass& pass = made.pass;
@@ -107,8 +113,11 @@ ReprojectionCacheCase reprojectionCacheCase(const Variant& variant, int width, i
         const bool sky = unit(seed, x, y, 2) < 0.05;
         return sky ? 65504.0 : planeDepth(pass.current, frameUv(pass, x, y)) - nearer;
     };
-    made.fresh = makePixels(rgba32f, coarse.x, coarse.y,
-                            [&](int x, int y) { return valueTexel(pass, seed, x, y, 10, freshDepth(x, y)); });
+    CachePass freshPass = pass; // what is fresh has no frames
+    if (pass.values == CachePass::Values::withFrames) freshPass.values = CachePass::Values::two;
+    made.fresh = makePixels(rgba32f, coarse.x, coarse.y, [&](int x, int y) {
+        return valueTexel(freshPass, seed, x, y, 10, freshDepth(x, y));
+    });
     made.coarseDepth = makePixels(r32f, coarse.x, coarse.y,
                                   [&](int x, int y) { return Texel{static_cast<float>(freshDepth(x, y))}; });
     const auto historyDepth = [&](int x, int y) {
@@ -123,6 +132,7 @@ ReprojectionCacheCase reprojectionCacheCase(const Variant& variant, int width, i
         const double frames = std::floor(20.0 * unit(seed, x, y, 5)) + 1.0;
         return Texel{static_cast<float>(frames), static_cast<float>(historyDepth(x, y))};
     });
+    made.historyDepth = depthsOf(made.state);
     made.velocity = makePixels(rg32f, width, height, [&](int x, int y) {
         const double reach = unit(seed, x / 6, y / 6, 6) < 0.7 ? 8.0 : 80.0; // pixels of the frame
         const glm::dvec2 motion = reach * (glm::dvec2(unit(seed, x, y, 7), unit(seed, x, y, 8)) - 0.5) /
@@ -139,6 +149,7 @@ std::vector<Pixels> run(Pass& pass, const ReprojectionCacheCase& frame) {
                                   {"gInVelocity", &frame.velocity},
                                   {"gHistoryCache", &frame.history},
                                   {"gHistoryCacheFiltered", &frame.history},
+                                  {"gHistoryCoarseDepth", &frame.historyDepth},
                                   {"gHistoryCacheState", &frame.state},
                                   {"gHistoryCacheStateFiltered", &frame.state}};
     return pass(inputs, frame.parameters, frame.fresh.width, frame.fresh.height);
@@ -147,8 +158,12 @@ std::vector<Pixels> run(Pass& pass, const ReprojectionCacheCase& frame) {
 Comparison compareWithOracle(const ReprojectionCacheCase& frame, const std::vector<Pixels>& outputs) {
     const oracle::Image fresh = oracleImage(frame.fresh), velocity = oracleImage(frame.velocity);
     const oracle::Image coarseDepth = oracleImage(frame.coarseDepth);
-    const oracle::Image history = oracleImage(frame.history), state = oracleImage(frame.state);
+    const oracle::Image history = oracleImage(frame.history);
     CachePass pass = frame.pass;
+    const bool framed = pass.values == CachePass::Values::withFrames;
+    oracle::Image state = oracleImage(framed ? frame.historyDepth : frame.state);
+    for (glm::dvec4& texel : state.texels)
+        if (framed) texel.y = texel.x;
     pass.fresh = &fresh;
     pass.coarseDepth = &coarseDepth;
     pass.velocity = &velocity;
@@ -158,12 +173,17 @@ Comparison compareWithOracle(const ReprojectionCacheCase& frame, const std::vect
     // Two passes over three channels: the values and frames, then the rest of the values and depth.
     const auto part = [&](bool rest) {
         const auto shown = [&](const oracle::CacheTexel& texel) {
+            if (framed) return glm::dvec3(glm::dvec2(texel.unpacked), std::min(texel.frames, 15.0));
             return rest ? glm::dvec3(texel.values.z, texel.values.w, texel.depth)
                         : glm::dvec3(texel.values.x, texel.values.y, texel.frames);
         };
         const int own = rest ? 2 : 0;
         const bool apart = oracle::isDepthApart(pass.values);
         const Pixels got = makePixels(rgba32f, fresh.width, fresh.height, [&](int x, int y) {
+            if (framed) {
+                const glm::vec3 held(oracle::unpackedWithFrames(outputs[0].at(x, y, 0)));
+                return Texel{held.x, held.y, held.z};
+            }
             const auto value = [&](int c) { return c < outputs[0].channels ? outputs[0].at(x, y, c) : 0.0f; };
             const float depth = apart ? outputs[1].at(x, y, 1) : outputs[0].at(x, y, 1);
             return Texel{value(own), value(own + 1), rest ? depth : outputs[1].at(x, y, 0)};
@@ -173,13 +193,15 @@ Comparison compareWithOracle(const ReprojectionCacheCase& frame, const std::vect
             [&](int x, int y, bool careful) {
                 const glm::dvec3 value = shown(oracle::cacheTexel(pass, x, y));
                 glm::dvec3 bound;
-                for (int c = 0; c < 3; ++c)
+                for (int c = 0; c < 3 && !framed; ++c)
                     bound[c] = storeError(outputs[c == 2 ? 1 : 0].format, value[c]);
+                // Half a level, half a frame.
+                if (framed) bound = glm::dvec3(0.5 / 1023.0, 0.5 / 1023.0, 0.5) * (1.0 + 1e-5);
                 if (!careful) return Expected{value, bound};
                 // Steps of the filter's weights, where there is a filter.
                 const double error = placeError * fresh.width + (pass.bilinear ? linearFilterError() : 0.0);
                 glm::dvec3 most(1e-6, 1e-6, rest ? 0.0 : 1e-5);
-                if (!rest && !apart && pass.values != CachePass::Values::four) most.y = 0.0;
+                if (!rest && !apart && !framed && pass.values != CachePass::Values::four) most.y = 0.0;
                 for (int i = 0; i < 27; ++i) {
                     const glm::dvec2 away(error * (i % 3 - 1), error * (i / 3 % 3 - 1));
                     const auto moved = oracle::cacheTexel(pass, x, y, away, depthError * (i / 9 - 1));
@@ -191,7 +213,7 @@ Comparison compareWithOracle(const ReprojectionCacheCase& frame, const std::vect
             3);
     };
     const Comparison first = part(false);
-    return first.holds() ? part(true) : first;
+    return first.holds() && !framed ? part(true) : first;
 }
 
 } // namespace passes

@@ -19,6 +19,15 @@ class ReprojectionCache : public PassTest, public testing::WithParamInterface<St
 INSTANTIATE_TEST_SUITE_P(Stages, ReprojectionCache, testing::Values(Stage::fragment, Stage::compute),
                          [](const auto& each) { return stageText(each.param); });
 
+bool isFramed(const Variant& variant) {
+    return reprise::switchValue(variant, "VALUES") == "with_frames";
+}
+
+// 32 bits of values, and of state where there is one.
+std::vector<VkFormat> formatsOf(const Variant& variant) {
+    return isFramed(variant) ? std::vector<VkFormat>{r32f} : std::vector<VkFormat>{rgba32f, rg32f};
+}
+
 // Every combination but those that read no history, of which one is enough.
 std::vector<Variant> allVariants() {
     std::vector<Variant> variants;
@@ -26,7 +35,7 @@ std::vector<Variant> allVariants() {
         variants.push_back(variantOf(pack(), "reprojection_cache", switches));
     };
     for (const std::string_view values :
-         {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer"}) {
+         {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer", "with_frames"}) {
         for (const std::string_view resampling : {"nearest", "bilinear"})
             for (const std::string_view history : {"camera", "motion", "still"})
                 for (const std::string_view change : {"off", "on"})
@@ -43,7 +52,7 @@ std::vector<Variant> allVariants() {
 
 TEST_P(ReprojectionCache, everyVariantEqualsTheOracleAtEverySize) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), {rgba32f, rg32f});
+        Pass pass(variant, GetParam(), formatsOf(variant));
         for (const auto& [width, height] : sizes) {
             if (width > 64 && reprise::variantName(variant) != "reprojection_cache") continue;
             const auto frame = reprojectionCacheCase(variant, width, height, 91);
@@ -58,14 +67,21 @@ TEST_P(ReprojectionCache, everyVariantEqualsTheOracleAtEverySize) {
 // history holds.
 TEST_P(ReprojectionCache, invalidHistoryGivesTheFreshValue) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), {rgba32f, rg32f});
+        Pass pass(variant, GetParam(), formatsOf(variant));
         auto frame = reprojectionCacheCase(variant, 33, 17, 92);
         frame.pass.historyValid = 0.0;
         setParameters(frame);
         for (const float value : poisons) {
             std::fill(frame.history.values.begin(), frame.history.values.end(), value);
             std::fill(frame.state.values.begin(), frame.state.values.end(), value);
+            std::fill(frame.historyDepth.values.begin(), frame.historyDepth.values.end(), value);
             const auto got = run(pass, frame);
+            if (isFramed(variant)) {
+                const Comparison result = compareWithOracle(frame, got);
+                EXPECT_TRUE(result.holds())
+                    << describe(variant, GetParam(), 33, 17) << ": " << text(result) << " of " << value;
+                continue;
+            }
             for (int y = 0; y < got[0].height; ++y)
                 for (int x = 0; x < got[0].width; ++x) {
                     // Packing what was packed moves the fraction by roundings alone.
@@ -79,19 +95,20 @@ TEST_P(ReprojectionCache, invalidHistoryGivesTheFreshValue) {
 // Broken texels of every input: all that comes out is what a history can hold.
 TEST_P(ReprojectionCache, brokenTexelsLeaveNumbers) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), {rgba32f, rg32f});
+        Pass pass(variant, GetParam(), formatsOf(variant));
         const auto clean = reprojectionCacheCase(variant, 33, 17, 93);
         for (const float value : poisons)
-            for (int input = 0; input < 5; ++input) {
+            for (int input = 0; input < 6; ++input) {
                 auto frame = clean;
-                Pixels* const inputs[] = {&frame.fresh, &frame.velocity, &frame.history, &frame.state,
-                                          &frame.coarseDepth};
+                Pixels* const inputs[] = {&frame.fresh, &frame.velocity,    &frame.history,
+                                          &frame.state, &frame.coarseDepth, &frame.historyDepth};
                 Pixels& poisoned = *inputs[input];
                 for (size_t i = 0; i < poisoned.values.size(); i += 5)
                     poisoned.values[i] = value;
                 for (const Pixels& got : run(pass, frame))
                     for (const float each : got.values)
-                        ASSERT_TRUE(std::abs(each) <= 65504.0f)
+                        ASSERT_TRUE(isFramed(variant) ? each >= 0.0f && each < 0x1p24f
+                                                      : std::abs(each) <= 65504.0f)
                             << describe(variant, GetParam(), 33, 17) << ", input " << input << ": " << value;
             }
     }
@@ -101,19 +118,23 @@ TEST_P(ReprojectionCache, brokenTexelsLeaveNumbers) {
 // oracle, as does every other.
 TEST_P(ReprojectionCache, brokenHistoryIsNotUsed) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), {rgba32f, rg32f});
+        Pass pass(variant, GetParam(), formatsOf(variant));
         for (const float value : poisons)
             for (const int channel : {0, 1, 4, 5}) { // of the values, then of the state
                 auto frame = reprojectionCacheCase(variant, 33, 17, 94);
-                (channel < 4 ? frame.history : frame.state).at(7, 4, channel % 4) = value;
+                if (isFramed(variant) && channel != 0 && channel != 4) continue;
+                if (isFramed(variant))
+                    (channel == 0 ? frame.history : frame.historyDepth).at(7, 4, 0) = value;
+                else
+                    (channel < 4 ? frame.history : frame.state).at(7, 4, channel % 4) = value;
                 // Between texels a filter spreads what is broken, to texels of weight 0 too.
                 const auto got = run(pass, frame);
                 for (const Pixels& image : got)
                     for (const float each : image.values)
-                        ASSERT_TRUE(std::abs(each) <= 65504.0f) << value;
+                        ASSERT_TRUE(std::abs(each) <= (isFramed(variant) ? 0x1p24f : 65504.0f)) << value;
                 // Packed pairs are read one by one, and a broken one is left out; their frames are not.
-                const bool spreads =
-                    frame.pass.bilinear && (!oracle::isPacked(frame.pass.values) || channel == 4);
+                const bool spreads = frame.pass.bilinear && !isFramed(variant) &&
+                                     (!oracle::isPacked(frame.pass.values) || channel == 4);
                 if (spreads || frame.pass.where == oracle::CachePass::History::none) continue;
                 const Comparison result = compareWithOracle(frame, got);
                 EXPECT_TRUE(result.holds()) << describe(variant, GetParam(), 33, 17) << ", " << value

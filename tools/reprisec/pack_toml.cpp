@@ -18,6 +18,10 @@ using reprise::ImageInfo;
 using reprise::PresetInfo;
 using reprise::SwitchInfo;
 
+bool isOutput(std::span<const ImageInfo> outputs, std::string_view name) {
+    return std::ranges::find(outputs, name, &ImageInfo::name) != outputs.end();
+}
+
 // Thrown while reading, caught in load.
 struct Mistake {
     toml::source_region where;
@@ -281,10 +285,12 @@ void Reader::readPass(const toml::table& table) {
     auto& outputs = storage_.imageLists.emplace_back();
     each(table, "output", [&](const toml::table& item) { readOutput(item, pass, outputs, bindings); });
     for (const ImageInfo& input : inputs)
-        if (!input.history.empty() &&
-            std::ranges::find(outputs, input.history, &ImageInfo::name) == outputs.end())
-            fail(table,
-                 "the history of " + std::string(input.name) + " is no output of the pass; correct it");
+        if (!input.history.empty() && !isOutput(outputs, input.history) &&
+            std::ranges::none_of(storage_.passes, [&](const PassInfo& earlier) {
+                return isOutput(earlier.outputs, input.history);
+            }))
+            fail(table, "the history of " + std::string(input.name) +
+                            " is no output of the pass or of one before it; correct it");
     for (const ImageInfo& input : inputs)
         if (!input.sameAs.empty() &&
             std::ranges::find(inputs, input.sameAs, &ImageInfo::name) == inputs.end())

@@ -187,6 +187,7 @@ inline constexpr uint32_t gHistoryCacheFiltered = 4;
 inline constexpr uint32_t gHistoryCacheState = 5;
 inline constexpr uint32_t gHistoryCacheStateFiltered = 6;
 inline constexpr uint32_t gInCoarseDepth = 7;
+inline constexpr uint32_t gHistoryCoarseDepth = 10;
 inline constexpr uint32_t gOutCache = 16;
 inline constexpr uint32_t gOutCacheState = 17;
 inline constexpr uint32_t gInFresh_sampler = 33;
@@ -196,6 +197,7 @@ inline constexpr uint32_t gHistoryCacheFiltered_sampler = 36;
 inline constexpr uint32_t gHistoryCacheState_sampler = 37;
 inline constexpr uint32_t gHistoryCacheStateFiltered_sampler = 38;
 inline constexpr uint32_t gInCoarseDepth_sampler = 39;
+inline constexpr uint32_t gHistoryCoarseDepth_sampler = 42;
 }
 
 // lighting_cache: Occlusion, shadow of the sun or both, computed and accumulated in one dispatch
@@ -274,6 +276,7 @@ inline constexpr uint32_t gHistoryCacheStateFiltered = 6;
 inline constexpr uint32_t gInNormal = 7;
 inline constexpr uint32_t gInShadowMap = 8;
 inline constexpr uint32_t gInHalfDepth = 9;
+inline constexpr uint32_t gHistoryCoarseDepth = 10;
 inline constexpr uint32_t gOutCache = 16;
 inline constexpr uint32_t gOutCacheState = 17;
 inline constexpr uint32_t gInCoarseDepth_sampler = 33;
@@ -285,6 +288,7 @@ inline constexpr uint32_t gHistoryCacheStateFiltered_sampler = 38;
 inline constexpr uint32_t gInNormal_sampler = 39;
 inline constexpr uint32_t gInShadowMap_sampler = 40;
 inline constexpr uint32_t gInHalfDepth_sampler = 41;
+inline constexpr uint32_t gHistoryCoarseDepth_sampler = 42;
 }
 
 // bilateral_filter: One direction of the bilateral filter, stronger where history is short
@@ -813,7 +817,7 @@ inline constexpr PackModule sun_shadow_modules[] = {
 };
 inline constexpr Stage reprojection_cache_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view reprojection_cache_HISTORY_values[] = {"camera", "motion", "still", "none"};
-inline constexpr std::string_view reprojection_cache_VALUES_values[] = {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view reprojection_cache_VALUES_values[] = {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer", "with_frames"};
 inline constexpr std::string_view reprojection_cache_RESAMPLING_values[] = {"nearest", "bilinear"};
 inline constexpr std::string_view reprojection_cache_CHANGE_DETECTION_values[] = {"off", "on"};
 inline constexpr std::string_view reprojection_cache_ORTHOGRAPHIC_values[] = {"off", "on"};
@@ -821,9 +825,9 @@ inline constexpr SwitchInfo reprojection_cache_switches[] = {
     {"HISTORY", reprojection_cache_HISTORY_values, 0, "motion: objects move, and motion vectors are at hand; still: nothing moves",
      "fetched by camera reprojection, along gInVelocity, at the same place, or not at all", {}},
     {"VALUES", reprojection_cache_VALUES_values, 0, "more than one value is cached",
-     "how many; or occlusion and shadow packed in one number, in either order", {}},
+     "how many; or occlusion and shadow packed in one number, in either order, or with frames", {}},
     {"RESAMPLING", reprojection_cache_RESAMPLING_values, 1, "",
-     "how history is read between texels; packed pairs bilinear by gathers, or four point reads", {}},
+     "how history is read between texels; packed ones bilinear by gathers, or four point reads", {}},
     {"CHANGE_DETECTION", reprojection_cache_CHANGE_DETECTION_values, 0, "occluders appear and disappear",
      "history that the fresh values around do not bear out is given up", {}},
     {"ORTHOGRAPHIC", reprojection_cache_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
@@ -838,6 +842,7 @@ inline constexpr BindingInfo reprojection_cache_bindings[] = {
     {"gHistoryCacheState", 5, BindingKind::sampledImage},
     {"gHistoryCacheStateFiltered", 6, BindingKind::sampledImage},
     {"gInCoarseDepth", 7, BindingKind::sampledImage},
+    {"gHistoryCoarseDepth", 10, BindingKind::sampledImage},
     {"gOutCache", 16, BindingKind::storageImage},
     {"gOutCacheState", 17, BindingKind::storageImage},
     {"gInFresh_sampler", 33, BindingKind::pointSampler},
@@ -847,18 +852,20 @@ inline constexpr BindingInfo reprojection_cache_bindings[] = {
     {"gHistoryCacheState_sampler", 37, BindingKind::pointSampler},
     {"gHistoryCacheStateFiltered_sampler", 38, BindingKind::linearSampler},
     {"gInCoarseDepth_sampler", 39, BindingKind::pointSampler},
+    {"gHistoryCoarseDepth_sampler", 42, BindingKind::pointSampler},
 };
 inline constexpr FormatChoice reprojection_cache_gInFresh_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
-inline constexpr Condition reprojection_cache_gInCoarseDepth_when[] = {{"VALUES", "two"}, {"VALUES", "four"}};
+inline constexpr Condition reprojection_cache_gInCoarseDepth_when[] = {{"VALUES", "two"}, {"VALUES", "four"}, {"VALUES", "with_frames"}};
 inline constexpr Condition reprojection_cache_gInVelocity_when[] = {{"HISTORY", "motion"}};
 inline constexpr Condition reprojection_cache_gHistoryCache_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
-inline constexpr FormatChoice reprojection_cache_gHistoryCache_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
-inline constexpr Condition reprojection_cache_gHistoryCacheFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr FormatChoice reprojection_cache_gHistoryCache_formats[] = {{{"VALUES", "four"}, "rgba16f"}, {{"VALUES", "with_frames"}, "r32f"}};
+inline constexpr Condition reprojection_cache_gHistoryCacheFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}, {"VALUES", "one"}, {"VALUES", "two"}, {"VALUES", "four"}, {"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
 inline constexpr FormatChoice reprojection_cache_gHistoryCacheFiltered_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
-inline constexpr Condition reprojection_cache_gHistoryCacheState_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr Condition reprojection_cache_gHistoryCacheState_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}, {"VALUES", "one"}, {"VALUES", "two"}, {"VALUES", "four"}, {"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
 inline constexpr FormatChoice reprojection_cache_gHistoryCacheState_formats[] = {{{"VALUES", "four"}, "rg16f"}, {{"VALUES", "two"}, "rg16f"}};
-inline constexpr Condition reprojection_cache_gHistoryCacheStateFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr Condition reprojection_cache_gHistoryCacheStateFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}, {"VALUES", "one"}, {"VALUES", "two"}, {"VALUES", "four"}, {"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
 inline constexpr FormatChoice reprojection_cache_gHistoryCacheStateFiltered_formats[] = {{{"VALUES", "four"}, "rg16f"}, {{"VALUES", "two"}, "rg16f"}};
+inline constexpr Condition reprojection_cache_gHistoryCoarseDepth_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}, {"VALUES", "with_frames"}};
 inline constexpr ImageInfo reprojection_cache_inputs[] = {
     {"gInFresh", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "", {},
      "", 1.000000f, reprojection_cache_gInFresh_formats},
@@ -866,7 +873,7 @@ inline constexpr ImageInfo reprojection_cache_inputs[] = {
      ""},
     {"gInVelocity", "motion, scaled by gMotionToUv", "rg16f", 1.000000f, "", reprojection_cache_gInVelocity_when,
      ""},
-    {"gHistoryCache", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "gOutCache", reprojection_cache_gHistoryCache_when,
+    {"gHistoryCache", "values; beside one or a packed pair linear depth, metres; or frames, packed too", "rg16f", 0.500000f, "gOutCache", reprojection_cache_gHistoryCache_when,
      "", 1.000000f, reprojection_cache_gHistoryCache_formats},
     {"gHistoryCacheFiltered", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "gOutCache", reprojection_cache_gHistoryCacheFiltered_when,
      "gHistoryCache", 1.000000f, reprojection_cache_gHistoryCacheFiltered_formats},
@@ -874,13 +881,16 @@ inline constexpr ImageInfo reprojection_cache_inputs[] = {
      "", 1.000000f, reprojection_cache_gHistoryCacheState_formats},
     {"gHistoryCacheStateFiltered", "frames; beside two and four values linear depth, metres", "r16f", 0.500000f, "gOutCacheState", reprojection_cache_gHistoryCacheStateFiltered_when,
      "gHistoryCacheState", 1.000000f, reprojection_cache_gHistoryCacheStateFiltered_formats},
+    {"gHistoryCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "gOutCoarseDepth", reprojection_cache_gHistoryCoarseDepth_when,
+     ""},
 };
-inline constexpr FormatChoice reprojection_cache_gOutCache_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
+inline constexpr FormatChoice reprojection_cache_gOutCache_formats[] = {{{"VALUES", "four"}, "rgba16f"}, {{"VALUES", "with_frames"}, "r32f"}};
+inline constexpr Condition reprojection_cache_gOutCacheState_when[] = {{"VALUES", "one"}, {"VALUES", "two"}, {"VALUES", "four"}, {"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
 inline constexpr FormatChoice reprojection_cache_gOutCacheState_formats[] = {{{"VALUES", "four"}, "rg16f"}, {{"VALUES", "two"}, "rg16f"}};
 inline constexpr ImageInfo reprojection_cache_outputs[] = {
-    {"gOutCache", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "", {},
+    {"gOutCache", "values; beside one or a packed pair linear depth, metres; or frames, packed too", "rg16f", 0.500000f, "", {},
      "", 1.000000f, reprojection_cache_gOutCache_formats},
-    {"gOutCacheState", "frames; beside two and four values linear depth, metres", "r16f", 0.500000f, "", {},
+    {"gOutCacheState", "frames; beside two and four values linear depth, metres", "r16f", 0.500000f, "", reprojection_cache_gOutCacheState_when,
      "", 1.000000f, reprojection_cache_gOutCacheState_formats},
 };
 inline constexpr PackModule reprojection_cache_modules[] = {
@@ -916,6 +926,10 @@ inline constexpr PackModule reprojection_cache_modules[] = {
      "", ""},
     {"reprojection_cache--values-shadow_in_integer", Stage::compute,
      "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"reprojection_cache--values-with_frames", Stage::fragment,
+     "", ""},
+    {"reprojection_cache--values-with_frames", Stage::compute,
+     "", ""},
     {"reprojection_cache--resampling-nearest", Stage::fragment,
      "", ""},
     {"reprojection_cache--resampling-nearest", Stage::compute,
@@ -930,7 +944,7 @@ inline constexpr PackModule reprojection_cache_modules[] = {
      "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
 };
 inline constexpr Stage lighting_cache_stages[] = {Stage::compute};
-inline constexpr std::string_view lighting_cache_VALUES_values[] = {"one", "two", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view lighting_cache_VALUES_values[] = {"one", "two", "occlusion_in_integer", "shadow_in_integer", "with_frames"};
 inline constexpr std::string_view lighting_cache_FRESH_values[] = {"occlusion", "shadow", "both"};
 inline constexpr std::string_view lighting_cache_SAMPLES_values[] = {"1", "2", "4", "8", "12", "16", "32"};
 inline constexpr std::string_view lighting_cache_NORMALS_values[] = {"reconstructed", "read"};
@@ -943,7 +957,7 @@ inline constexpr std::string_view lighting_cache_ORTHOGRAPHIC_values[] = {"off",
 inline constexpr std::string_view lighting_cache_HALF_DEPTH_values[] = {"off", "on"};
 inline constexpr SwitchInfo lighting_cache_switches[] = {
     {"VALUES", lighting_cache_VALUES_values, 0, "occlusion and shadow share a cache",
-     "one visibility, of FRESH both their product; two; or both packed in one number, in either order", {}},
+     "one visibility, of FRESH both their product; two; or both packed in one number, in either order, or with frames", {}},
     {"FRESH", lighting_cache_FRESH_values, 0, "",
      "what is computed; what is not is 1", {}},
     {"SAMPLES", lighting_cache_SAMPLES_values, 2, "",
@@ -957,7 +971,7 @@ inline constexpr SwitchInfo lighting_cache_switches[] = {
     {"HISTORY", lighting_cache_HISTORY_values, 0, "motion: objects move, and motion vectors are at hand; still: nothing moves",
      "fetched by camera reprojection, along gInVelocity, at the same place, or not at all", {}},
     {"RESAMPLING", lighting_cache_RESAMPLING_values, 1, "",
-     "how history is read between texels; packed pairs bilinear by gathers, or four point reads", {}},
+     "how history is read between texels; packed ones bilinear by gathers, or four point reads", {}},
     {"CHANGE_DETECTION", lighting_cache_CHANGE_DETECTION_values, 0, "occluders appear and disappear",
      "history that the fresh values around do not bear out is given up", {}},
     {"ORTHOGRAPHIC", lighting_cache_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
@@ -976,6 +990,7 @@ inline constexpr BindingInfo lighting_cache_bindings[] = {
     {"gInNormal", 7, BindingKind::sampledImage},
     {"gInShadowMap", 8, BindingKind::sampledImage},
     {"gInHalfDepth", 9, BindingKind::sampledImage},
+    {"gHistoryCoarseDepth", 10, BindingKind::sampledImage},
     {"gOutCache", 16, BindingKind::storageImage},
     {"gOutCacheState", 17, BindingKind::storageImage},
     {"gInCoarseDepth_sampler", 33, BindingKind::pointSampler},
@@ -987,17 +1002,20 @@ inline constexpr BindingInfo lighting_cache_bindings[] = {
     {"gInNormal_sampler", 39, BindingKind::pointSampler},
     {"gInShadowMap_sampler", 40, BindingKind::pointSampler},
     {"gInHalfDepth_sampler", 41, BindingKind::pointSampler},
+    {"gHistoryCoarseDepth_sampler", 42, BindingKind::pointSampler},
 };
 inline constexpr Condition lighting_cache_gInHalfDepth_when[] = {{"FRESH", "occlusion"}, {"FRESH", "both"}, {"HALF_DEPTH", "on"}};
 inline constexpr Condition lighting_cache_gInNormal_when[] = {{"FRESH", "occlusion"}, {"FRESH", "both"}, {"NORMALS", "read"}};
 inline constexpr Condition lighting_cache_gInShadowMap_when[] = {{"FRESH", "shadow"}, {"FRESH", "both"}};
 inline constexpr Condition lighting_cache_gInVelocity_when[] = {{"HISTORY", "motion"}};
 inline constexpr Condition lighting_cache_gHistoryCache_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
-inline constexpr Condition lighting_cache_gHistoryCacheFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
-inline constexpr Condition lighting_cache_gHistoryCacheState_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr FormatChoice lighting_cache_gHistoryCache_formats[] = {{{"VALUES", "with_frames"}, "r32f"}};
+inline constexpr Condition lighting_cache_gHistoryCacheFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}, {"VALUES", "one"}, {"VALUES", "two"}, {"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
+inline constexpr Condition lighting_cache_gHistoryCacheState_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}, {"VALUES", "one"}, {"VALUES", "two"}, {"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
 inline constexpr FormatChoice lighting_cache_gHistoryCacheState_formats[] = {{{"VALUES", "two"}, "rg16f"}};
-inline constexpr Condition lighting_cache_gHistoryCacheStateFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}};
+inline constexpr Condition lighting_cache_gHistoryCacheStateFiltered_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}, {"VALUES", "one"}, {"VALUES", "two"}, {"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
 inline constexpr FormatChoice lighting_cache_gHistoryCacheStateFiltered_formats[] = {{{"VALUES", "two"}, "rg16f"}};
+inline constexpr Condition lighting_cache_gHistoryCoarseDepth_when[] = {{"HISTORY", "camera"}, {"HISTORY", "motion"}, {"HISTORY", "still"}, {"VALUES", "with_frames"}};
 inline constexpr ImageInfo lighting_cache_inputs[] = {
     {"gInCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "", {},
      ""},
@@ -1009,20 +1027,24 @@ inline constexpr ImageInfo lighting_cache_inputs[] = {
      ""},
     {"gInVelocity", "motion, scaled by gMotionToUv", "rg16f", 1.000000f, "", lighting_cache_gInVelocity_when,
      ""},
-    {"gHistoryCache", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "gOutCache", lighting_cache_gHistoryCache_when,
-     ""},
+    {"gHistoryCache", "values; beside one or a packed pair linear depth, metres; or frames, packed too", "rg16f", 0.500000f, "gOutCache", lighting_cache_gHistoryCache_when,
+     "", 1.000000f, lighting_cache_gHistoryCache_formats},
     {"gHistoryCacheFiltered", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "gOutCache", lighting_cache_gHistoryCacheFiltered_when,
      "gHistoryCache"},
     {"gHistoryCacheState", "frames; beside two values linear depth, metres", "r16f", 0.500000f, "gOutCacheState", lighting_cache_gHistoryCacheState_when,
      "", 1.000000f, lighting_cache_gHistoryCacheState_formats},
     {"gHistoryCacheStateFiltered", "frames; beside two values linear depth, metres", "r16f", 0.500000f, "gOutCacheState", lighting_cache_gHistoryCacheStateFiltered_when,
      "gHistoryCacheState", 1.000000f, lighting_cache_gHistoryCacheStateFiltered_formats},
+    {"gHistoryCoarseDepth", "linear depth, metres; 65504 is sky", "r32f", 0.500000f, "gOutCoarseDepth", lighting_cache_gHistoryCoarseDepth_when,
+     ""},
 };
+inline constexpr FormatChoice lighting_cache_gOutCache_formats[] = {{{"VALUES", "with_frames"}, "r32f"}};
+inline constexpr Condition lighting_cache_gOutCacheState_when[] = {{"VALUES", "one"}, {"VALUES", "two"}, {"VALUES", "occlusion_in_integer"}, {"VALUES", "shadow_in_integer"}};
 inline constexpr FormatChoice lighting_cache_gOutCacheState_formats[] = {{{"VALUES", "two"}, "rg16f"}};
 inline constexpr ImageInfo lighting_cache_outputs[] = {
-    {"gOutCache", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "", {},
-     ""},
-    {"gOutCacheState", "frames; beside two values linear depth, metres", "r16f", 0.500000f, "", {},
+    {"gOutCache", "values; beside one or a packed pair linear depth, metres; or frames, packed too", "rg16f", 0.500000f, "", {},
+     "", 1.000000f, lighting_cache_gOutCache_formats},
+    {"gOutCacheState", "frames; beside two values linear depth, metres", "r16f", 0.500000f, "", lighting_cache_gOutCacheState_when,
      "", 1.000000f, lighting_cache_gOutCacheState_formats},
 };
 inline constexpr PackModule lighting_cache_modules[] = {
@@ -1034,6 +1056,8 @@ inline constexpr PackModule lighting_cache_modules[] = {
      "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--values-shadow_in_integer", Stage::compute,
      "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
+    {"lighting_cache--values-with_frames", Stage::compute,
+     "", ""},
     {"lighting_cache--fresh-shadow", Stage::compute,
      "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
     {"lighting_cache--fresh-both", Stage::compute,
@@ -1150,7 +1174,7 @@ inline constexpr PackModule bilateral_filter_modules[] = {
 inline constexpr Stage bilateral_upsample_stages[] = {Stage::fragment, Stage::compute};
 inline constexpr std::string_view bilateral_upsample_RATIO_values[] = {"2", "4"};
 inline constexpr std::string_view bilateral_upsample_NORMAL_WEIGHTS_values[] = {"off", "on"};
-inline constexpr std::string_view bilateral_upsample_VALUES_values[] = {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer"};
+inline constexpr std::string_view bilateral_upsample_VALUES_values[] = {"one", "two", "four", "occlusion_in_integer", "shadow_in_integer", "with_frames"};
 inline constexpr std::string_view bilateral_upsample_DEPTH_LINEAR_values[] = {"off", "on"};
 inline constexpr std::string_view bilateral_upsample_ORTHOGRAPHIC_values[] = {"off", "on"};
 inline constexpr SwitchInfo bilateral_upsample_switches[] = {
@@ -1159,7 +1183,7 @@ inline constexpr SwitchInfo bilateral_upsample_switches[] = {
     {"NORMAL_WEIGHTS", bilateral_upsample_NORMAL_WEIGHTS_values, 0, "the engine hands over normals",
      "samples are weighed by the likeness of their normals too", {}},
     {"VALUES", bilateral_upsample_VALUES_values, 0, "more than one value is cached",
-     "how many; or occlusion and shadow packed in one number, in either order", {}},
+     "how many; or occlusion and shadow packed in one number, in either order, or with frames", {}},
     {"DEPTH_LINEAR", bilateral_upsample_DEPTH_LINEAR_values, 0, "the engine hands over linear view depth instead of device depth",
      "gInDepth holds linear depth in metres", {}},
     {"ORTHOGRAPHIC", bilateral_upsample_ORTHOGRAPHIC_values, 0, "the camera is orthographic",
@@ -1177,7 +1201,7 @@ inline constexpr BindingInfo bilateral_upsample_bindings[] = {
     {"gInDepth_sampler", 35, BindingKind::pointSampler},
     {"gInNormal_sampler", 36, BindingKind::pointSampler},
 };
-inline constexpr FormatChoice bilateral_upsample_gInFiltered_formats[] = {{{"VALUES", "four"}, "rgba16f"}};
+inline constexpr FormatChoice bilateral_upsample_gInFiltered_formats[] = {{{"VALUES", "four"}, "rgba16f"}, {{"VALUES", "with_frames"}, "r32f"}};
 inline constexpr Condition bilateral_upsample_gInNormal_when[] = {{"NORMAL_WEIGHTS", "on"}};
 inline constexpr ImageInfo bilateral_upsample_inputs[] = {
     {"gInFiltered", "values; beside one or a packed pair linear depth, metres", "rg16f", 0.500000f, "", {},
@@ -1189,9 +1213,9 @@ inline constexpr ImageInfo bilateral_upsample_inputs[] = {
     {"gInNormal", "view space, unit", "rgba16f", 1.000000f, "", bilateral_upsample_gInNormal_when,
      ""},
 };
-inline constexpr FormatChoice bilateral_upsample_gOutUpsampled_formats[] = {{{"VALUES", "four"}, "rgba16f"}, {{"VALUES", "occlusion_in_integer"}, "rg16f"}, {{"VALUES", "shadow_in_integer"}, "rg16f"}, {{"VALUES", "two"}, "rg16f"}};
+inline constexpr FormatChoice bilateral_upsample_gOutUpsampled_formats[] = {{{"VALUES", "four"}, "rgba16f"}, {{"VALUES", "occlusion_in_integer"}, "rg8"}, {{"VALUES", "shadow_in_integer"}, "rg8"}, {{"VALUES", "two"}, "rg16f"}, {{"VALUES", "with_frames"}, "rg8"}};
 inline constexpr ImageInfo bilateral_upsample_outputs[] = {
-    {"gOutUpsampled", "one value, two, or four; of a packed pair occlusion and shadow", "r16f", 1.000000f, "", {},
+    {"gOutUpsampled", "one value, two, or four; of packed ones occlusion and shadow, [0,1]", "r16f", 1.000000f, "", {},
      "", 1.000000f, bilateral_upsample_gOutUpsampled_formats},
 };
 inline constexpr PackModule bilateral_upsample_modules[] = {
@@ -1218,11 +1242,15 @@ inline constexpr PackModule bilateral_upsample_modules[] = {
     {"bilateral_upsample--values-occlusion_in_integer", Stage::fragment,
      "", ""},
     {"bilateral_upsample--values-occlusion_in_integer", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+     "", "ES 3.10 has no rg8 storage images (gOutUpsampled); use the fragment form"},
     {"bilateral_upsample--values-shadow_in_integer", Stage::fragment,
      "", ""},
     {"bilateral_upsample--values-shadow_in_integer", Stage::compute,
-     "", "ES 3.10 has no rg16f storage images (gOutUpsampled); use the fragment form"},
+     "", "ES 3.10 has no rg8 storage images (gOutUpsampled); use the fragment form"},
+    {"bilateral_upsample--values-with_frames", Stage::fragment,
+     "", ""},
+    {"bilateral_upsample--values-with_frames", Stage::compute,
+     "", "ES 3.10 has no rg8 storage images (gOutUpsampled); use the fragment form"},
     {"bilateral_upsample--depth_linear-on", Stage::fragment,
      "", ""},
     {"bilateral_upsample--depth_linear-on", Stage::compute,
@@ -1639,7 +1667,7 @@ inline constexpr PassInfo passes[] = {
      bilateral_filter_bindings, bilateral_filter_inputs, bilateral_filter_outputs, {0, 0}},
     {"bilateral_upsample", "A coarse value at full resolution, along the edges of the depth",
      "Drobot 7.2, Bilateral Upsampling, Listing 7.1", bilateral_upsample_stages, true,
-     {16, 16, 1}, {2, 2}, 48, bilateral_upsample_switches,
+     {32, 8, 1}, {2, 2}, 48, bilateral_upsample_switches,
      bilateral_upsample_bindings, bilateral_upsample_inputs, bilateral_upsample_outputs, {1, 1}},
     {"depth_hierarchy", "Linear depth at five resolutions in one image",
      "Wronski, Algorithm overview", depth_hierarchy_stages, true,

@@ -46,7 +46,8 @@ struct CacheSettings {
     bool filtersHistory = false; // step 8 after the filter: filtering over time
     float filterStep = 1.0f;     // texels between the filter's texels, above 0: 1 reaches four, 2 eight
     // Of occlusion and shadow in one cache: packed in one number, "shadow_in_integer" or
-    // "occlusion_in_integer", or as "two" values, which costs a channel and no bits.
+    // "occlusion_in_integer"; "with_frames", packed with the frames of their history, which reads and writes
+    // the least, but takes history and no filter; or as "two" values, which costs a channel and no bits.
     std::string_view packing = "shadow_in_integer";
 };
 
@@ -102,7 +103,7 @@ struct FramePlan {
 // An output gOutX of an earlier pass is the input gInX of a later one, and the framework's steps follow each
 // other (see docs/runtime.md); an input that no pass writes is the engine's. presets: of temporal_aa.
 // Errors: zeroExtent, invalidArgument (an unknown preset, switch, format or stage; a ratio, a number of
-// samples or a packing that there is not; a filterStep that is not above 0; channels of the engine's beside
+// samples or a packing that there is not; with_frames beside a filter or without history; a filterStep that is not above 0; channels of the engine's beside
 // occlusion or shadows, or more than 4).
 Result<FramePlan> plan(std::span<const PassInfo> passes, std::span<const PresetInfo> presets,
                        const SceneNeeds& needs, const Settings& settings, Extent extent);
