@@ -518,6 +518,25 @@ TEST(Plan, occlusionAndShadowsShareACache) {
         EXPECT_EQ(switchOf(two, pass, "VALUES"), "two") << pass;
     EXPECT_EQ(imageOf(two, "gOutCacheState")->format, "rg16f");
     EXPECT_EQ(source(two, 3, "gInCoarseDepth"), "gOutCoarseDepth") << "no depth beside the values";
+    // With frames there is no state, and depth has a history of its own.
+    for (const bool merges : {false, true}) {
+        const FramePlan framed =
+            planned(lighting({.objectsMove = false, .sunShadows = true}),
+                    {.cache = {.filter = false, .merges = merges, .packing = "with_frames"}});
+        const int cache = merges ? 1 : 3;
+        EXPECT_EQ(switchOf(framed, merges ? "lighting_cache" : "reprojection_cache", "VALUES"),
+                  "with_frames");
+        EXPECT_EQ(switchOf(framed, "bilateral_upsample", "VALUES"), "with_frames");
+        if (!merges) {
+            EXPECT_EQ(switchOf(framed, "sun_shadow", "VALUES"), "two") << "what is fresh has no frames";
+        }
+        EXPECT_EQ(source(framed, cache, "gHistoryCache"), "gOutCache");
+        EXPECT_EQ(source(framed, cache, "gHistoryCoarseDepth"), "gOutCoarseDepth");
+        EXPECT_EQ(imageOf(framed, "gOutCache")->format, "r32f");
+        EXPECT_TRUE(imageOf(framed, "gOutCoarseDepth")->history);
+        EXPECT_EQ(imageOf(framed, "gOutCacheState"), nullptr);
+        EXPECT_EQ(imageOf(framed, "gOutUpsampled")->format, "rg8");
+    }
     const FramePlan shadows =
         planned({.antiAliasing = false, .objectsMove = false, .sunShadows = true, .reversedShadows = true},
                 {.cache = {.cascades = 2, .merges = false}});
@@ -690,6 +709,11 @@ TEST(Plan, mistakesOfTheCacheAreSentences) {
     EXPECT_TRUE(says(tryPlan(lighting(), {.cache = {.samples = 5}}), "SAMPLES"));
     // A value of the switch VALUES, but not for two values.
     EXPECT_TRUE(says(tryPlan(lighting({.sunShadows = true}), {.cache = {.packing = "one"}}), "packing is"));
+    EXPECT_TRUE(says(tryPlan(lighting({.sunShadows = true}), {.cache = {.packing = "with_frames"}}),
+                     "takes history and no filter"));
+    EXPECT_TRUE(says(tryPlan(lighting({.sunShadows = true}),
+                             {.cache = {.history = false, .filter = false, .packing = "with_frames"}}),
+                     "takes history and no filter"));
     EXPECT_TRUE(says(tryPlan(lighting({.cachedChannels = 1})), "a recorder for each"));
     EXPECT_TRUE(says(tryPlan({.cachedChannels = 5}), "SceneNeeds::cachedChannels is 0 to 4, not 5."));
     EXPECT_TRUE(says(tryPlan({.combinesLighting = true}), "combinesLighting"));

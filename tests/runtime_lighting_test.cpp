@@ -348,10 +348,13 @@ TEST_P(LightingTest, shadowsOfTheSunAreCachedAloneAndWithOcclusion) {
     cascade.farDepth = 100.0;
     cascade.worldToClip = glm::dmat4(1.0); // the sun looks along the camera, over 2 m, from 0 to 1 m
     for (const bool occlusion : {false, true})
-        for (const std::string_view packing : {"occlusion_in_integer", "shadow_in_integer", "two"}) {
+        for (const std::string_view packing :
+             {"occlusion_in_integer", "shadow_in_integer", "two", "with_frames"}) {
             SceneNeeds needs = with(still, &SceneNeeds::sunShadows);
             needs.ambientOcclusion = occlusion;
-            auto recorder = makeRecorder(info(needs, extent, {.cascades = 1, .packing = packing}));
+            CacheSettings cache{.cascades = 1, .packing = packing};
+            cache.filter = packing != "with_frames";
+            auto recorder = makeRecorder(info(needs, extent, cache));
             const uint32_t channels = occlusion ? 2 : 1;
             for (uint64_t n = 0; n < 4; ++n) {
                 auto input = frame.input(n);
@@ -405,8 +408,9 @@ TEST_P(LightingTest, mergedPassesEqualThoseApart) {
     const Row rows[] = {{true, false, "two", 5 * 0x1p-11, 5 * 0x1p-11},
                         {false, true, "two", 5 * 0x1p-11, 5 * 0x1p-11},
                         {true, true, "two", 5 * 0x1p-11, 5 * 0x1p-11},
-                        {true, true, "shadow_in_integer", 1.05 / 31.0, 3.0 / 31.0},
-                        {true, true, "occlusion_in_integer", 1.05 / 31.0, 3.0 / 31.0}};
+                        {true, true, "shadow_in_integer", 1.05 / 31.0 + 1.0 / 255.0, 3.0 / 31.0},
+                        {true, true, "occlusion_in_integer", 1.05 / 31.0 + 1.0 / 255.0, 3.0 / 31.0},
+                        {true, true, "with_frames", 5.0 / 255.0, 5.0 / 255.0}};
     for (const Row& row : rows)
         for (const bool moves : {false, true})
             for (const bool detects : {false, true}) {
@@ -415,6 +419,7 @@ TEST_P(LightingTest, mergedPassesEqualThoseApart) {
                 needs.sunShadows = row.shadow;
                 needs.cameraMoves = moves;
                 CacheSettings cache{.cascades = 1, .detectsChanges = detects, .packing = row.packing};
+                cache.filter = row.packing != "with_frames";
                 auto merged = makeRecorder(info(needs, extent, cache));
                 cache.merges = false;
                 auto apart = makeRecorder(info(needs, extent, cache));

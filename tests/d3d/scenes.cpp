@@ -195,6 +195,7 @@ std::vector<Scene> reprojectionCacheScenes(const Variant& variant) {
                                 {"gInCoarseDepth", &frame->coarseDepth},
                                 {"gHistoryCache", &frame->history},
                                 {"gHistoryCacheFiltered", &frame->history},
+                                {"gHistoryCoarseDepth", &frame->historyDepth},
                                 {"gHistoryCacheState", &frame->state},
                                 {"gHistoryCacheStateFiltered", &frame->state}};
     }
@@ -259,6 +260,7 @@ std::vector<Scene> lightingCacheScenes(const Variant& variant) {
                         {"gInVelocity", &frame->cache.velocity},
                         {"gHistoryCache", &frame->cache.history},
                         {"gHistoryCacheFiltered", &frame->cache.history},
+                        {"gHistoryCoarseDepth", &frame->cache.historyDepth},
                         {"gHistoryCacheState", &frame->cache.state},
                         {"gHistoryCacheStateFiltered", &frame->cache.state}};
         scenes.push_back(std::move(scene));

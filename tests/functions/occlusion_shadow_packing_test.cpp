@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cache_pass.hpp"
 #include "function_runner.hpp"
 #include "inputs.hpp"
 #include "measured.hpp"
@@ -113,6 +114,92 @@ TEST(OcclusionShadowPacking, sumIsThatOfEachUnpacked) {
     expectAgrees(sum);
     expectCaught(sum, {header, "float4 integers = floor(known);", "float4 integers = floor(known.x);"});
     expectCaught(sum, {header, "min(known - integers, PACK_FRACTION)", "known - integers"});
+}
+
+// --- With frames
+
+// occlusion, shadow, frames
+std::vector<Row> withFrames() {
+    Random random(32);
+    std::vector<Row> rows;
+    for (int i = 0; i <= 1023; ++i)
+        for (int frames = 0; frames <= 15; ++frames)
+            rows.push_back({vec4(static_cast<float>(i) / 1023.0f, static_cast<float>(1023 - i) / 1023.0f,
+                                 static_cast<float>(frames), 0.0f)});
+    for (int i = 0; i < 20000; ++i)
+        rows.push_back({vec4(random.in(-0.1f, 1.1f), random.in(-0.1f, 1.1f), random.in(-1.0f, 20.0f), 0.0f)});
+    for (const float value : {-1.0f, 1e30f, denormal, infinity, -infinity, notANumber})
+        for (int c = 0; c < 3; ++c) {
+            vec4 in(0.5f, 0.25f, 7.0f, 0.0f);
+            in[c] = value;
+            rows.push_back({in});
+        }
+    return rows;
+}
+
+// Half a level and half a frame, and roundings.
+Comparison framesRoundTrip() {
+    return {{"packWithFrames and back",
+             {header},
+             "VisibilitiesOfFour four = unpackWithFrames(packWithFrames(in0.xy, in0.z).xxxx);\n"
+             "out0 = float4(four.occlusion.x, four.shadow.y, four.frames.z, four.usable.w);"},
+            withFrames(),
+            [](const Row& in) {
+                Expected expected =
+                    near(dvec4(oracle::held(in[0].x, 0.0, 1.0), oracle::held(in[0].y, 0.0, 1.0),
+                               oracle::held(in[0].z, 0.0, 15.0), 1.0),
+                         0.5 / 1023.0 + 4.0 * roundoff);
+                expected.bound.z = 0.5;
+                expected.bound.w = 0.0;
+                return std::vector{expected};
+            }};
+}
+
+TEST(OcclusionShadowPacking, valuesAndFramesComeBack) {
+    expectAgrees(framesRoundTrip());
+    expectCaught(framesRoundTrip(), {header, "* 1024.0 + levels.x) * 1024.0 + levels.y",
+                                     "* 1024.0 + levels.y) * 1024.0 + levels.x"});
+    expectCaught(framesRoundTrip(), {header, "MAX_PACKED_FRAMES = 15.0", "MAX_PACKED_FRAMES = 16.0"});
+    expectCaught(framesRoundTrip(), {header, "UNIT_STEPS + 0.5)", "UNIT_STEPS)"});
+    expectCaught(framesRoundTrip(), {header, "MAX_PACKED_FRAMES) + 0.5)", "MAX_PACKED_FRAMES))"});
+}
+
+// Four numbers, whatever they are: what no packing wrote is not usable and holds 0.
+TEST(OcclusionShadowPacking, fourNumbersAreUnpackedEachByItself) {
+    Random random(33);
+    const float hostile[] = {-1.0f, 0x1p24f, 1e30f, infinity, -infinity, notANumber, 0x1p24f - 1.0f, 0.5f};
+    std::vector<Row> rows;
+    for (int i = 0; i < 4000; ++i) {
+        vec4 packed;
+        for (int c = 0; c < 4; ++c)
+            packed[c] = i % 3 == 0 ? random.of(hostile) : std::floor(random.in(0.0f, 0x1p24f));
+        rows.push_back({packed});
+    }
+    const Comparison four{
+        {"unpackWithFrames",
+         {header},
+         "VisibilitiesOfFour four = unpackWithFrames(in0);\n"
+         "out0 = four.occlusion; out1 = four.shadow; out2 = four.frames; out3 = four.usable;",
+         1,
+         4},
+        rows,
+        [](const Row& in) {
+            dvec4 occlusion, shadow, frames, usable;
+            for (int c = 0; c < 4; ++c) {
+                const dvec3 held = oracle::unpackedWithFrames(in[0][c]);
+                usable[c] = held.x == held.x;
+                occlusion[c] = usable[c] > 0.0 ? held.x : 0.0;
+                shadow[c] = usable[c] > 0.0 ? held.y : 0.0;
+                frames[c] = usable[c] > 0.0 ? held.z : 0.0;
+            }
+            return std::vector{near(occlusion, 4.0 * roundoff), near(shadow, 4.0 * roundoff),
+                               near(frames, 0.0), near(usable, 0.0)};
+        }};
+    expectAgrees(four);
+    expectCaught(four, {header, "packed < 16777216.0 ? 1.0 : 0.0", "packed < 33554432.0 ? 1.0 : 0.0"});
+    expectCaught(four, {header, "four.usable > 0.5 ? packed : 0.0", "packed"});
+    expectCaught(four, {header, "min((both - level * 1024.0) * (1.0 / UNIT_STEPS), 1.0)",
+                        "(both - level * 1024.0) * (1.0 / 1024.0)"});
 }
 
 TEST(OcclusionShadowPacking, wrongPackingsAreCaught) {

@@ -199,6 +199,25 @@ TEST(ReprojectionCache, historyWeighsNothingBeyondTheThresholdAndOutOfBounds) {
     expectAgrees(weights());
 }
 
+// Of four texels what it is of each.
+TEST(ReprojectionCache, fourHistoriesWeighAsEachAlone) {
+    const Comparison four{{"cacheHistoryWeight of four",
+                           {header},
+                           "CachePlace p; p.prevUv = in0.xy; p.lastDepth = in0.z;\n"
+                           "float4 depths = in0.w + float4(0.0, 0.02, -0.5, in0.w);\n"
+                           "float4 each = float4(cacheHistoryWeight(p, depths.x, in1.x, in1.y),\n"
+                           "                     cacheHistoryWeight(p, depths.y, in1.x, in1.y),\n"
+                           "                     cacheHistoryWeight(p, depths.z, in1.x, in1.y),\n"
+                           "                     cacheHistoryWeight(p, depths.w, in1.x, in1.y));\n"
+                           "out0 = cacheHistoryWeight(p, depths, in1.x, in1.y) - each;",
+                           2},
+                          weightRows(),
+                          [](const Row&) { return std::vector{near(dvec4(0.0), 0.0)}; }};
+    expectAgrees(four);
+    expectCaught(four, {header, "float4 room = missThreshold - abs(place.lastDepth - cacheDepths);",
+                        "float4 room = missThreshold - abs(place.lastDepth - cacheDepths.x);"});
+}
+
 TEST(ReprojectionCache, thePrintedSignOfMissRateIsCaught) {
     expectCaught(weights(), {header, "missThreshold - abs(place.lastDepth - cacheDepth)",
                              "abs(place.lastDepth - cacheDepth) - missThreshold"});

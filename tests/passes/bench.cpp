@@ -233,10 +233,10 @@ std::vector<VkFormat> wideFormats(const Variant& variant) {
     for (const auto& output : variant.pass->outputs) {
         if (!reprise::exists(variant, output)) continue;
         const std::string_view format = reprise::formatOf(variant, output);
-        formats.push_back(format == "rgba16f" ? rgba32f
-                          : format == "rg16f" ? rg32f
-                          : format == "rgba8" ? VK_FORMAT_R8G8B8A8_UNORM
-                                              : r32f);
+        formats.push_back(format == "rgba16f"                    ? rgba32f
+                          : format == "rg16f" || format == "rg8" ? rg32f
+                          : format == "rgba8"                    ? VK_FORMAT_R8G8B8A8_UNORM
+                                                                 : r32f);
     }
     return formats;
 }

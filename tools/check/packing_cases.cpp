@@ -184,6 +184,38 @@ Case sumOfPairs() {
             }};
 }
 
+// Every whole number that a packing writes, thinned, and what it does not.
+std::vector<Case> withFrames() {
+    const std::string unpack = "VisibilitiesOfFour four = unpackWithFrames(in0.xxxx);\n";
+    Case back{"[0, 1]² and all else, frames -1 to 20, and back",
+              storing("packWithFrames", occlusionShadow,
+                      "VisibilitiesOfFour four = unpackWithFrames(packWithFrames(in0.xy, in0.z).xxxx);\n"
+                      "out0.xyz = float3(four.occlusion.x, four.shadow.x, four.frames.x);"),
+              {Unit::roundings, 1.0, "half of 1/1023, half a frame"},
+              [](const Effort& effort) {
+                  Random random(17);
+                  std::vector<Row> rows = pairs();
+                  rows.resize(std::min(rows.size(), effort.of(rows.size())));
+                  for (Row& row : rows)
+                      row[0].z = random.in(-1.0f, 20.0f);
+                  return Sweep{rows, [](const Row& in) {
+                                   const double size = 0.5 / 1023.0 + 4.0 * roundoff;
+                                   return std::vector{
+                                       Right{dvec4(held(in[0].x, 0.0, 1.0), held(in[0].y, 0.0, 1.0),
+                                                   held(in[0].z, 0.0, 15.0), 0.0),
+                                             dvec4(size, size, 0.5, 0.0) / roundoff, 3}};
+                               }};
+              }};
+    Case any{everyHalfName + " as texel",
+             storing("unpackWithFrames", occlusionShadow,
+                     unpack + "out0.xyz = float3(four.occlusion.x, four.shadow.x, four.frames.x);"),
+             {Unit::finite, 0.0, "what no packing wrote"},
+             [](const Effort&) {
+                 return Sweep{justHalves(), [](const Row&) { return std::vector{open(3)}; }};
+             }};
+    return {back, any};
+}
+
 // Both through binary16, to nearest: half a level of 31, half a step of the fraction at 16 and above.
 Case throughHalf(const std::string& pack, const std::string& unpack, bool occlusionIsWhole) {
     Case made{
@@ -237,7 +269,7 @@ std::vector<Case> listing74() {
 
 std::vector<Case> packingCases() {
     std::vector<Case> all;
-    for (const auto& more : {occlusionDepthCases(), fineOcclusionDepthCases(), listing74()})
+    for (const auto& more : {occlusionDepthCases(), fineOcclusionDepthCases(), listing74(), withFrames()})
         all.insert(all.end(), more.begin(), more.end());
     all.push_back(packing("packUnitPair", false));
     all.push_back(packing("packOcclusionInInteger", false));

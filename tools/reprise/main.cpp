@@ -66,7 +66,8 @@ void addCacheOptions(CLI::App& command, PlanOptions& o) {
     command.add_flag("--filter-history", c.filtersHistory, "What is filtered is the next frame's history");
     command
         .add_option("--packing", o.packing,
-                    "Of occlusion and shadow: shadow_in_integer, occlusion_in_integer or two")
+                    "Of occlusion and shadow: shadow_in_integer, occlusion_in_integer, with_frames (takes "
+                    "--no-filter) or two")
         ->capture_default_str();
 }
 
