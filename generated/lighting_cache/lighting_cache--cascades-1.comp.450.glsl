@@ -1,5 +1,5 @@
 #version 450
-layout(local_size_x = 16, local_size_y = 16, local_size_z = 1) in;
+layout(local_size_x = 32, local_size_y = 8, local_size_z = 1) in;
 
 layout(binding = 0, std140) uniform LightingCacheParameters
 {

@@ -145,7 +145,12 @@ Surroundings surroundingsOf(int2 local, CachedValues fresh) {
 
 #endif
 
+// Of change detection the group is the tile; else wide rows, which a CPU stores a tenth faster.
+#if CHANGE_DETECTION
 [numthreads(16, 16, 1)]
+#else
+[numthreads(32, 8, 1)]
+#endif
 void mainCompute(uint3 thread : SV_DispatchThreadID, uint3 local : SV_GroupThreadID) {
     // Beyond the image stands its border again, as a sampler has it.
     float2 positionPx = min(float2(thread.xy) + 0.5, gOutputSize.xy - 0.5);

@@ -116,6 +116,12 @@ std::string_view formatOf(const Variant& variant, const ImageInfo& image) {
     return image.format;
 }
 
+std::span<const uint32_t, 3> threadsOf(const Variant& variant) {
+    for (const GroupChoice& choice : variant.pass->threadsBy)
+        if (switchValue(variant, choice.when.switchName) == choice.when.value) return choice.threads;
+    return variant.pass->threads;
+}
+
 double scaleOf(const Variant& variant, const ImageInfo& image) {
     const std::string_view ratio = switchValue(variant, "RATIO");
     int divisor = 0;

@@ -172,9 +172,11 @@ void draw(const Device& device, VkCommandBuffer commands, const PreparedPass& pr
     device.vk->CmdEndRendering(commands);
 }
 
-void dispatch(const Device& device, VkCommandBuffer commands, const PassInfo& pass, VkExtent2D extent) {
-    const uint32_t tileX = pass.threads[0] * pass.pixelsPerThread[0];
-    const uint32_t tileY = pass.threads[1] * pass.pixelsPerThread[1];
+void dispatch(const Device& device, VkCommandBuffer commands, const Variant& variant, VkExtent2D extent) {
+    const PassInfo& pass = *variant.pass;
+    const auto threads = threadsOf(variant);
+    const uint32_t tileX = threads[0] * pass.pixelsPerThread[0];
+    const uint32_t tileY = threads[1] * pass.pixelsPerThread[1];
     const uint32_t width = extent.width + pass.overhang[0], height = extent.height + pass.overhang[1];
     device.vk->CmdDispatch(commands, (width + tileX - 1) / tileX, (height + tileY - 1) / tileY, 1);
 }
@@ -255,7 +257,7 @@ void PassAccess::emit(const PassPipeline& pass, VkCommandBuffer commands, const 
     vk.CmdBindPipeline(commands, point, state.pipeline.get());
     vk.CmdBindDescriptorSets(commands, point, state.interface.layout.get(), 0, 1, &prepared.set, 0, nullptr);
     if (compute)
-        dispatch(state.device, commands, *state.variant.pass, prepared.extent);
+        dispatch(state.device, commands, state.variant, prepared.extent);
     else
         draw(state.device, commands, prepared);
 }

@@ -166,7 +166,7 @@ Run passRun(const Case& which, const Variant& variant, const Scene& scene) {
         const auto& pass = *variant.pass;
         const int extent[] = {scene.width, scene.height};
         for (size_t axis = 0; axis < 2; ++axis) {
-            const uint32_t tile = pass.threads[axis] * pass.pixelsPerThread[axis];
+            const uint32_t tile = reprise::threadsOf(variant)[axis] * pass.pixelsPerThread[axis];
             run.groups[axis] = (static_cast<uint32_t>(extent[axis]) + pass.overhang[axis] + tile - 1) / tile;
         }
         return run;

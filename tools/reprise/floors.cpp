@@ -127,13 +127,15 @@ std::string fragmentEntry(uint32_t outputs) {
 }
 
 // As in the passes, what lies beyond the image is dropped by it.
-std::string computeEntry(const reprise::PassInfo& pass, const reprisec::Reflection& reflection) {
+std::string computeEntry(const reprise::Variant& variant, const reprisec::Reflection& reflection) {
+    const reprise::PassInfo& pass = *variant.pass;
+    const auto threads = reprise::threadsOf(variant);
     const uint32_t px = pass.pixelsPerThread[0], py = pass.pixelsPerThread[1];
     std::string text =
         fmt::format("[numthreads({}, {}, 1)]\nvoid mainCompute(uint3 thread : SV_DispatchThreadID) {{\n"
                     "    uint2 first = thread.xy * uint2({}, {});\n"
                     "    float4 sum = readAll((float2(first) + 0.5) * gTexel);\n",
-                    pass.threads[0], pass.threads[1], px, py);
+                    threads[0], threads[1], px, py);
     for (uint32_t y = 0; y < py; ++y)
         for (uint32_t x = 0; x < px; ++x)
             for (const BindingUse& use : reflection.bindings)
@@ -142,8 +144,8 @@ std::string computeEntry(const reprise::PassInfo& pass, const reprisec::Reflecti
     return text + "}\n";
 }
 
-std::string entry(const reprise::PassInfo& pass, Stage stage, const reprisec::Reflection& reflection) {
-    return stage == Stage::compute ? computeEntry(pass, reflection)
+std::string entry(const reprise::Variant& variant, Stage stage, const reprisec::Reflection& reflection) {
+    return stage == Stage::compute ? computeEntry(variant, reflection)
                                    : fragmentEntry(std::max(1u, reflection.colourOutputs));
 }
 
@@ -160,7 +162,7 @@ reprisec::Reflection simpleReflection(Stage stage) {
 std::string simpleSource(Stage stage, uint32_t width, uint32_t height, std::string_view body) {
     const auto reflection = simpleReflection(stage);
     return declarations(reflection) + constants(width, height) + std::string(body) +
-           entry(simpleFloorPass(), stage, reflection);
+           entry({&simpleFloorPass(), {}}, stage, reflection);
 }
 
 } // namespace
@@ -202,7 +204,7 @@ std::string floorSource(const reprise::Variant& variant, Stage stage, const repr
     for (const BindingUse& use : reflection.bindings)
         if (use.kind == BindingKind::sampledImage)
             text += readsOf(pass, use, stage == Stage::compute ? pass.pixelsPerThread : one);
-    return text + fmt::format("    return {};\n}}\n", foldedSum(variant)) + entry(pass, stage, reflection);
+    return text + fmt::format("    return {};\n}}\n", foldedSum(variant)) + entry(variant, stage, reflection);
 }
 
 std::string copySource(Stage stage, uint32_t width, uint32_t height) {

@@ -105,7 +105,7 @@ Result<void> checkBindings(const Variant& variant, const fs::path& table, Reflec
 }
 
 Result<void> checkForm(const Variant& variant, Stage stage, const Reflection& reflection) {
-    if (stage == Stage::compute && !std::ranges::equal(reflection.threads, variant.pass->threads))
+    if (stage == Stage::compute && !std::ranges::equal(reflection.threads, reprise::threadsOf(variant)))
         return badShader("numthreads differs from `threads` in the table; make the two agree");
     const auto outputs = static_cast<uint32_t>(std::ranges::count_if(
         variant.pass->outputs, [&](const auto& image) { return reprise::exists(variant, image); }));

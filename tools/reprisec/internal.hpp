@@ -38,6 +38,7 @@ struct Pack::Storage {
     std::deque<std::vector<Stage>> stageLists;
     std::deque<std::vector<reprise::Condition>> conditionLists;
     std::deque<std::vector<reprise::FormatChoice>> formatLists;
+    std::deque<std::vector<reprise::GroupChoice>> groupLists;
     std::deque<std::vector<reprise::SwitchInfo>> switchLists;
     std::deque<std::vector<reprise::BindingInfo>> bindingLists;
     std::deque<std::vector<reprise::ImageInfo>> imageLists;

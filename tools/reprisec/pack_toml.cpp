@@ -14,6 +14,7 @@ using reprise::BindingInfo;
 using reprise::BindingKind;
 using reprise::Condition;
 using reprise::FormatChoice;
+using reprise::GroupChoice;
 using reprise::ImageInfo;
 using reprise::PresetInfo;
 using reprise::SwitchInfo;
@@ -98,7 +99,10 @@ private:
     std::vector<std::string_view> textList(const toml::table& parent, std::string_view key);
     std::span<const Condition> conditions(const toml::table& parent, std::string_view key,
                                           const PassInfo& pass);
+    template <class Take>
+    void eachChoice(const toml::table& parent, std::string_view key, const PassInfo& pass, const Take& take);
     std::span<const FormatChoice> formatsBy(const toml::table& parent, const PassInfo& pass);
+    std::span<const GroupChoice> groupsBy(const toml::table& parent, const PassInfo& pass);
     SwitchInfo readSwitch(const toml::table& table);
     ImageInfo readImage(const toml::table& table, const PassInfo& pass);
     void readInput(const toml::table& table, const PassInfo& pass, std::vector<ImageInfo>& images,
@@ -172,18 +176,39 @@ SwitchInfo Reader::readSwitch(const toml::table& table) {
     return info;
 }
 
-// { SWITCH = { value = "format" } }
-std::span<const FormatChoice> Reader::formatsBy(const toml::table& parent, const PassInfo& pass) {
-    if (!parent.contains("format_by")) return {};
-    auto& list = storage_.formatLists.emplace_back();
-    for (const auto& [name, choices] : table(need(parent, "format_by")))
-        for (const auto& [value, format] : table(choices)) {
+// { SWITCH = { value = what it has in place of the usual } }
+template <class Take>
+void Reader::eachChoice(const toml::table& parent, std::string_view key, const PassInfo& pass,
+                        const Take& take) {
+    if (!parent.contains(key)) return;
+    for (const auto& [name, choices] : table(need(parent, key)))
+        for (const auto& [value, node] : table(choices)) {
             Variant probe{&pass, {}};
             if (auto set = reprise::setSwitch(probe, name.str(), value.str()); !set)
-                fail(format, set.error().message);
-            list.push_back({{keep(std::string(name.str())), keep(std::string(value.str()))},
-                            keep(as<std::string>(format, "a string"))});
+                fail(node, set.error().message);
+            take(Condition{keep(std::string(name.str())), keep(std::string(value.str()))}, node,
+                 table(choices), value.str());
         }
+}
+
+std::span<const FormatChoice> Reader::formatsBy(const toml::table& parent, const PassInfo& pass) {
+    auto& list = storage_.formatLists.emplace_back();
+    eachChoice(parent, "format_by", pass,
+               [&](const Condition& when, const toml::node& format, const toml::table&, std::string_view) {
+                   list.push_back({when, keep(as<std::string>(format, "a string"))});
+               });
+    return list;
+}
+
+std::span<const GroupChoice> Reader::groupsBy(const toml::table& parent, const PassInfo& pass) {
+    auto& list = storage_.groupLists.emplace_back();
+    eachChoice(
+        parent, "threads_by", pass,
+        [&](const Condition& when, const toml::node&, const toml::table& choices, std::string_view value) {
+            GroupChoice choice{when, {}};
+            numbers(choices, value, choice.threads);
+            list.push_back(choice);
+        });
     return list;
 }
 
@@ -256,8 +281,8 @@ void Reader::readOutput(const toml::table& table, const PassInfo& pass, std::vec
 }
 
 void Reader::readPass(const toml::table& table) {
-    allow(table, {"name", "file", "stages", "fullscreen", "threads", "pixels_per_thread", "overhang",
-                  "summary", "source", "parameters", "switch", "input", "output"});
+    allow(table, {"name", "file", "stages", "fullscreen", "threads", "threads_by", "pixels_per_thread",
+                  "overhang", "summary", "source", "parameters", "switch", "input", "output"});
     PassInfo pass{};
     pass.name = text(table, "name");
     if (std::ranges::find(storage_.passes, pass.name, &PassInfo::name) != storage_.passes.end())
@@ -275,6 +300,7 @@ void Reader::readPass(const toml::table& table) {
     auto& switches = storage_.switchLists.emplace_back();
     each(table, "switch", [&](const toml::table& item) { switches.push_back(readSwitch(item)); });
     pass.switches = switches;
+    pass.threadsBy = groupsBy(table, pass);
     auto& bindings = storage_.bindingLists.emplace_back();
     PassSource source{(storage_.file.parent_path() / std::string(text(table, "file"))).lexically_normal(),
                       std::string(textOr(table, "parameters"))};

@@ -131,6 +131,19 @@ std::string addBindings(Arrays& arrays, const std::string& pass, const PassInfo&
     return arrays.add("BindingInfo", pass + "_bindings", elements);
 }
 
+std::string threadsText(std::span<const uint32_t, 3> threads) {
+    return "{" + number(threads[0]) + ", " + number(threads[1]) + ", " + number(threads[2]) + "}";
+}
+
+std::string addGroups(Arrays& arrays, const std::string& name,
+                      std::span<const reprise::GroupChoice> choices) {
+    std::vector<std::string> elements;
+    for (const auto& each : choices)
+        elements.push_back("{{" + literal(each.when.switchName) + ", " + literal(each.when.value) + "}, " +
+                           threadsText(each.threads) + "}");
+    return arrays.add("GroupChoice", name, elements, true);
+}
+
 std::string passElement(Arrays& arrays, const PassInfo& info, uint32_t parameterBytes) {
     const std::string pass(info.name);
     const std::string stages = addStages(arrays, pass + "_stages", info.stages);
@@ -138,12 +151,14 @@ std::string passElement(Arrays& arrays, const PassInfo& info, uint32_t parameter
     const std::string bindings = addBindings(arrays, pass, info);
     const std::string inputs = addImages(arrays, pass, "inputs", info.inputs);
     const std::string outputs = addImages(arrays, pass, "outputs", info.outputs);
+    const std::string groups =
+        info.threadsBy.empty() ? "" : ", " + addGroups(arrays, pass + "_groups", info.threadsBy);
     return "{" + literal(info.name) + ", " + literal(info.summary) + ",\n     " + literal(info.source) +
-           ", " + stages + ", " + (info.fullscreen ? "true" : "false") + ",\n     {" +
-           number(info.threads[0]) + ", " + number(info.threads[1]) + ", " + number(info.threads[2]) +
-           "}, {" + number(info.pixelsPerThread[0]) + ", " + number(info.pixelsPerThread[1]) + "}, " +
-           number(parameterBytes) + ", " + switches + ",\n     " + bindings + ", " + inputs + ", " + outputs +
-           ", {" + number(info.overhang[0]) + ", " + number(info.overhang[1]) + "}}";
+           ", " + stages + ", " + (info.fullscreen ? "true" : "false") + ",\n     " +
+           threadsText(info.threads) + ", {" + number(info.pixelsPerThread[0]) + ", " +
+           number(info.pixelsPerThread[1]) + "}, " + number(parameterBytes) + ", " + switches + ",\n     " +
+           bindings + ", " + inputs + ", " + outputs + ", {" + number(info.overhang[0]) + ", " +
+           number(info.overhang[1]) + "}" + groups + "}";
 }
 
 std::string addPresets(Arrays& arrays, const Pack& pack, const PassInfo& info) {

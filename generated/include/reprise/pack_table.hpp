@@ -1047,6 +1047,7 @@ inline constexpr ImageInfo lighting_cache_outputs[] = {
     {"gOutCacheState", "frames; beside two values linear depth, metres", "r16f", 0.500000f, "", lighting_cache_gOutCacheState_when,
      "", 1.000000f, lighting_cache_gOutCacheState_formats},
 };
+inline constexpr GroupChoice lighting_cache_groups[] = {{{"CHANGE_DETECTION", "on"}, {16, 16, 1}}};
 inline constexpr PackModule lighting_cache_modules[] = {
     {"lighting_cache", Stage::compute,
      "", "ES 3.10 has no rg16f storage images (gOutCache); use the fragment form"},
@@ -1659,8 +1660,8 @@ inline constexpr PassInfo passes[] = {
      reprojection_cache_bindings, reprojection_cache_inputs, reprojection_cache_outputs, {0, 0}},
     {"lighting_cache", "Occlusion, shadow of the sun or both, computed and accumulated in one dispatch",
      "Drobot 7.2, Reprojection Caching; 7.3", lighting_cache_stages, true,
-     {16, 16, 1}, {1, 1}, 896, lighting_cache_switches,
-     lighting_cache_bindings, lighting_cache_inputs, lighting_cache_outputs, {0, 0}},
+     {32, 8, 1}, {1, 1}, 896, lighting_cache_switches,
+     lighting_cache_bindings, lighting_cache_inputs, lighting_cache_outputs, {0, 0}, lighting_cache_groups},
     {"bilateral_filter", "One direction of the bilateral filter, stronger where history is short",
      "Drobot 7.2, Bilateral Filtering, Listing 7.3", bilateral_filter_stages, true,
      {16, 16, 1}, {2, 2}, 48, bilateral_filter_switches,

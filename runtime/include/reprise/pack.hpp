@@ -64,13 +64,18 @@ struct ImageInfo {
     std::span<const Condition> orWhen = {};      // if any: in place of `when` these may hold
 };
 
+struct GroupChoice { // the compute groups where the switch has the value
+    Condition when;
+    uint32_t threads[3];
+};
+
 struct PassInfo {
     std::string_view name; // temporal_aa
     std::string_view summary;
     std::string_view source; // place in the documents
     std::span<const Stage> stages;
     bool fullscreen;             // the fragment form is drawn by the pass fullscreen's vertex shader
-    uint32_t threads[3];         // of a compute group
+    uint32_t threads[3];         // of a compute group; see threadsOf()
     uint32_t pixelsPerThread[2]; // of the compute form
     uint32_t parameterBytes;     // size of the uniform buffer at binding 0
     std::span<const SwitchInfo> switches;
@@ -78,6 +83,7 @@ struct PassInfo {
     std::span<const ImageInfo> inputs;
     std::span<const ImageInfo> outputs; // fragment: SV_Target order
     uint32_t overhang[2] = {0, 0};      // pixels beyond the image that the groups of the compute form cover
+    std::span<const GroupChoice> threadsBy = {}; // other groups, by a switch
 };
 
 struct PresetInfo {
@@ -103,6 +109,8 @@ std::string_view switchValue(const Variant& variant, std::string_view switchName
 bool exists(const Variant& variant, const ImageInfo& image);
 // The format that the table recommends for an image of the variant.
 std::string_view formatOf(const Variant& variant, const ImageInfo& image);
+// The threads of a compute group of the variant.
+std::span<const uint32_t, 3> threadsOf(const Variant& variant);
 // Share of the frame's extent that an image of the variant has, to be rounded up. Below 1 it follows the
 // switch RATIO, where the pass has it: the table has the scale of its default.
 double scaleOf(const Variant& variant, const ImageInfo& image);

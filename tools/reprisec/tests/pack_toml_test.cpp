@@ -48,6 +48,31 @@ TEST_F(SmallPack, mistakesInTheTableAreNamedWithTheirLine) {
     formats("\"r16f\"", "this must be a table");
 }
 
+TEST_F(SmallPack, groupsFollowASwitch) {
+    std::string table = smallTable;
+    const std::string place = "threads = [8, 8, 1]\n";
+    const auto with = [&](const std::string& choices) {
+        std::string text = smallTable;
+        text.insert(text.find(place) + place.size(), "threads_by = " + choices + "\n");
+        writeText(folder / "pack.toml", text);
+    };
+    with("{ TAPS = { nine = [16, 4, 1] } }");
+    const reprisec::Pack pack = load();
+    auto variant = reprise::makeVariant(pack.passes(), "copy");
+    ASSERT_TRUE(variant);
+    const auto threads = [&](std::string_view taps) {
+        EXPECT_TRUE(reprise::setSwitch(*variant, "TAPS", taps));
+        const auto found = reprise::threadsOf(*variant);
+        return std::vector<uint32_t>(found.begin(), found.end());
+    };
+    EXPECT_EQ(threads("one"), (std::vector<uint32_t>{8, 8, 1}));
+    EXPECT_EQ(threads("nine"), (std::vector<uint32_t>{16, 4, 1}));
+    with("{ TAPS = { nine = 16 } }");
+    EXPECT_FALSE(reprisec::Pack::load(folder / "pack.toml"));
+    with("{ TAPS = { ten = [16, 4, 1] } }");
+    EXPECT_FALSE(reprisec::Pack::load(folder / "pack.toml"));
+}
+
 // Of an output and of an input, by the values that are named; the others have the format of the image.
 TEST_F(SmallPack, formatsFollowASwitch) {
     std::string table = smallTable;
