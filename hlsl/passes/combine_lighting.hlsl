@@ -2,7 +2,7 @@
 // The light of a deferred renderer put together, with what the framework made of its visibility: Drobot, 7.3,
 // whose ambient occlusion takes light away from the indirect and whose soft shadows from the sun's.
 //
-// gInLighting      RG8, RG16F or any whose red is a visibility in [0,1]: by occluders near by in red, of the sun
+// gInLighting      RG8, RG16F or any with red a visibility in [0,1]: by occluders near by in red, of the sun
 //                  in green, as bilateral_upsample writes both. LIGHTING says which of them there are; one
 //                  alone is in red
 // gInAmbientLight  LIGHTING occlusion, both: RGBA16F, the indirect light that occlusion takes away from
