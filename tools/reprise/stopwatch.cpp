@@ -5,6 +5,7 @@
 #include "reprise/format.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <numeric>
 #include <random>
@@ -14,6 +15,8 @@
 
 namespace report {
 namespace {
+
+constexpr std::chrono::seconds warmUp{2};
 
 using harness::PassRunner;
 using reprise::Stage;
@@ -132,14 +135,23 @@ void Stopwatch::run(uint32_t rounds, Progress& progress, double workPerRound) {
     std::mt19937 random(1);
     std::vector<size_t> order(sections_.size());
     std::iota(order.begin(), order.end(), size_t{0});
-    for (uint32_t round = 0; round <= rounds; ++round) {
+    const auto timeAll = [&] {
         std::shuffle(order.begin(), order.end(), random);
         std::vector<std::function<void(VkCommandBuffer)>> records;
         for (const size_t section : order)
             records.push_back(sections_[section].record);
-        const std::vector<double> times = gpu_.time(records);
+        return gpu_.time(records);
+    };
+    // Shaders are compiled by the driver on first use, and a GPU that has waited for rays takes some time to
+    // come to its clock.
+    const auto begin = std::chrono::steady_clock::now();
+    do
+        timeAll();
+    while (std::chrono::steady_clock::now() - begin < warmUp);
+    progress.step(workPerRound, "timing");
+    for (uint32_t round = 0; round < rounds; ++round) {
+        const std::vector<double> times = timeAll();
         progress.step(workPerRound, "timing");
-        if (round == 0) continue; // shaders are compiled by the driver on first use
         for (size_t i = 0; i < times.size(); ++i)
             sections_[order[i]].samples.push_back(times[i]);
     }
