@@ -238,8 +238,9 @@ Resolved resolveFourTap(float2 uv, float2 motion, float3 history) {
 
 // --- Compute: a thread resolves a column of pixels, so that a row of texels is read once for the pixels
 // above, on and below it; with QUAD_SHARING a row of the subgroup reads each texel once. docs/temporal_aa.md
-// says what was measured. The chain of depth, motion and history goes first, its waits the longest. Places
-// are sums of UV: literal offsets in a read take an H200 a tenth longer.
+// says what was measured. The chain of depth, motion and history goes first, its waits the longest; the
+// colours are read before the history, which waits for motion. Places are sums of UV: literal offsets in a
+// read take an H200 a tenth longer.
 
 static const int COLUMN = 6;   // pixels_per_thread of the table
 static const int ROWS = COLUMN + 2;   // of texels; row 0 is the one above the column
@@ -372,10 +373,6 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
         motions[y] = ownMotion(uv);
 #endif
     }
-    float3 histories[COLUMN];
-    [unroll] for (int i = 0; i < COLUMN; ++i)
-        histories[i] = readHistory(firstUv + below * float(i) - motions[i]);
-
 #if !NEIGHBOURHOOD_FOUR_TAP
     ColourRow rows[ROWS];
 #if QUAD_SHARING
@@ -385,6 +382,10 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
     rows[1] = readColourRow(firstUv);
 #endif
 #endif
+    float3 histories[COLUMN];
+    [unroll] for (int i = 0; i < COLUMN; ++i)
+        histories[i] = readHistory(firstUv + below * float(i) - motions[i]);
+
     Resolved upper;
     [unroll] for (int row = 0; row < COLUMN; ++row) {
         float2 uv = firstUv + below * float(row);
