@@ -8,9 +8,9 @@
 //                     their reads are what the pass waits for
 // gInNormal           NORMALS read: of the frame, as ambient_occlusion takes it
 // gInShadowMap        FRESH other than occlusion: as sun_shadow takes it
-// gInVelocity, gHistoryCache, gHistoryCacheState and what is filtered of them: as reprojection_cache has them
+// gInVelocity and the history of values, state and depth: as reprojection_cache has them
 // gOutCache           visibilities in [0,1], by VALUES: cached_values.hlsli
-// gOutCacheState      frames that the history holds; beside two values depth
+// gOutCacheState      frames that the history holds; beside two values depth; with_frames none
 
 #define HAS_OCCLUSION (!FRESH_SHADOW)
 #define HAS_SHADOW (!FRESH_OCCLUSION)

@@ -11,7 +11,7 @@
 // gHistoryCacheState  gOutCacheState of the frame before, and gHistoryCacheStateFiltered the same so
 // gHistoryCoarseDepth VALUES with_frames, which has no state: gInCoarseDepth of the frame before
 // gOutCache           values
-// gOutCacheState      frames that the history holds; beside two and four values depth
+// gOutCacheState      frames that the history holds; beside two and four values depth; with_frames none
 // A value beyond MAX_COLOUR or NaN counts as 0, in history as none. SKY_DEPTH takes part like a surface.
 
 #include "passes/cached_values.hlsli"

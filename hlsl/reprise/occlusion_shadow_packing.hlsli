@@ -73,8 +73,8 @@ float2 UnpackOccShadow(float OccShadow) {
 
 // --- With the frames of their history
 
-// A whole number below 2^24, which a binary32 holds: frames in the highest 4 bits, occlusion in 10, shadow in
-// the lowest 10.
+// In no document. A whole number below 2^24, which a binary32 holds: frames in the highest 4 bits, occlusion
+// in 10, shadow in the lowest 10.
 static const float UNIT_STEPS = 1023.0;
 static const float MAX_PACKED_FRAMES = 15.0;
 

@@ -46,8 +46,7 @@ TEST_P(CachedHistory, packedTexelsOfAnotherSurfaceTakeNothing) {
         const Variant variant =
             variantOf(pack(), "reprojection_cache", {{"VALUES", values}, {"HISTORY", "motion"}});
         const bool framed = values == "with_frames";
-        Pass pass(variant, GetParam(),
-                  framed ? std::vector<VkFormat>{r32f} : std::vector<VkFormat>{rgba32f, rg32f});
+        Pass pass(variant, GetParam(), cacheFormats(variant));
         const ReprojectionCacheCase frame = betweenTwo(variant);
         const auto got = run(pass, frame);
         for (int y = 0; y < 16; ++y)

@@ -128,16 +128,12 @@ LightingCacheCase lightingCacheCase(const Variant& variant, int width, int heigh
 }
 
 std::vector<Pixels> run(Pass& pass, const LightingCacheCase& frame) {
-    const NamedPixels inputs[] = {{"gInCoarseDepth", &frame.occlusion.depth},
-                                  {"gInHalfDepth", &frame.halfDepth},
-                                  {"gInNormal", &frame.occlusion.normal},
-                                  {"gInShadowMap", &frame.shadow.map},
-                                  {"gInVelocity", &frame.cache.velocity},
-                                  {"gHistoryCache", &frame.cache.history},
-                                  {"gHistoryCacheFiltered", &frame.cache.history},
-                                  {"gHistoryCoarseDepth", &frame.cache.historyDepth},
-                                  {"gHistoryCacheState", &frame.cache.state},
-                                  {"gHistoryCacheStateFiltered", &frame.cache.state}};
+    const NamedPixels inputs[] = {
+        {"gInCoarseDepth", &frame.occlusion.depth},      {"gInHalfDepth", &frame.halfDepth},
+        {"gInNormal", &frame.occlusion.normal},          {"gInShadowMap", &frame.shadow.map},
+        {"gInVelocity", &frame.cache.velocity},          {"gHistoryCache", &frame.cache.history},
+        {"gHistoryCacheFiltered", &frame.cache.history}, {"gHistoryCoarseDepth", &frame.cache.historyDepth},
+        {"gHistoryCacheState", &frame.cache.state},      {"gHistoryCacheStateFiltered", &frame.cache.state}};
     return pass(inputs, frame.parameters, frame.halfDepth.width, frame.halfDepth.height);
 }
 
@@ -145,7 +141,7 @@ SeparatePasses::SeparatePasses(const Variant& variant)
     : fresh_(reprise::switchValue(variant, "FRESH")),
       occlusion_(occlusionVariant(variant), Stage::compute, {rg32f}),
       shadow_(shadowVariant(variant), Stage::compute, {rg32f}),
-      cache_(cacheVariant(variant), Stage::compute, formatsOf(variant)) {}
+      cache_(cacheVariant(variant), Stage::compute, cacheFormats(variant)) {}
 
 std::vector<Pixels> SeparatePasses::operator()(LightingCacheCase frame) {
     const Pixels occlusion = run(occlusion_, frame.occlusion)[0], shadow = run(shadow_, frame.shadow)[0];
@@ -159,11 +155,6 @@ std::vector<Pixels> SeparatePasses::operator()(LightingCacheCase frame) {
         return Texel{texel.x, texel.y, texel.z, texel.w};
     });
     return run(cache_, frame.cache);
-}
-
-std::vector<VkFormat> formatsOf(const Variant& variant) {
-    const bool framed = reprise::switchValue(variant, "VALUES") == "with_frames";
-    return framed ? std::vector<VkFormat>{r32f} : std::vector<VkFormat>{rgba32f, rg32f};
 }
 
 Comparison compareWithSeparate(const LightingCacheCase& frame, const std::vector<Pixels>& got,

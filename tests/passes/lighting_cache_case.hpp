@@ -32,9 +32,6 @@ private:
     Pass occlusion_, shadow_, cache_;
 };
 
-// 32 bits of values, and of state where there is one.
-std::vector<VkFormat> formatsOf(const Variant& variant);
-
 // But for roundings, and of the deviation of sixteen, which is made from squares here, the root of one.
 // Beside half a step of a packed integer either comes out.
 Comparison compareWithSeparate(const LightingCacheCase& frame, const std::vector<Pixels>& got,

@@ -49,7 +49,7 @@ TEST_F(LightingCache, equalsThePassesWhoseWorkItDoes) {
         if (reprise::switchValue(variant, "VALUES").ends_with("in_integer") &&
             reprise::switchValue(variant, "CHANGE_DETECTION") == "on")
             continue;
-        Pass merged(variant, Stage::compute, formatsOf(variant));
+        Pass merged(variant, Stage::compute, cacheFormats(variant));
         SeparatePasses separate(variant);
         for (const auto& [width, height] : {std::pair{1, 1}, {2, 2}, {7, 5}, {39, 37}}) {
             const LightingCacheCase frame = lightingCacheCase(variant, width, height, 121);
@@ -96,14 +96,13 @@ TEST_F(LightingCache, packedPairsAreThoseOfTwoValues) {
 // Broken texels of every input: all that comes out is what a history can hold.
 TEST_F(LightingCache, brokenTexelsLeaveNumbers) {
     for (const Variant& variant : allVariants()) {
-        Pass merged(variant, Stage::compute, formatsOf(variant));
+        Pass merged(variant, Stage::compute, cacheFormats(variant));
         for (const float value :
              {std::numeric_limits<float>::quiet_NaN(), infinity, -infinity, 1e38f, 1e-30f}) {
             LightingCacheCase frame = lightingCacheCase(variant, 33, 17, 122);
             for (Pixels* poisoned :
                  {&frame.occlusion.depth, &frame.halfDepth, &frame.occlusion.normal, &frame.shadow.map,
-                  &frame.cache.velocity, &frame.cache.history, &frame.cache.state,
-                  &frame.cache.historyDepth})
+                  &frame.cache.velocity, &frame.cache.history, &frame.cache.state, &frame.cache.historyDepth})
                 for (size_t i = 0; i < poisoned->values.size(); i += 5)
                     poisoned->values[i] = value;
             for (const Pixels& got : run(merged, frame))

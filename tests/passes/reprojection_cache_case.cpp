@@ -82,6 +82,11 @@ void setParameters(ReprojectionCacheCase& frame) {
     p.gHistoryValid = static_cast<float>(pass.historyValid);
 }
 
+std::vector<VkFormat> cacheFormats(const Variant& variant) {
+    const bool framed = cachedValuesOf(variant) == CachePass::Values::withFrames;
+    return framed ? std::vector<VkFormat>{r32f} : std::vector<VkFormat>{rgba32f, rg32f};
+}
+
 Pixels depthsOf(const Pixels& state) {
     return makePixels(r32f, state.width, state.height,
                       [&](int x, int y) { return Texel{state.at(x, y, 1)}; });

@@ -18,6 +18,8 @@ struct ReprojectionCacheCase {
 // A tilted plane seen by two cameras, some of its texels nearer by a metre; the history holds the depth that
 // the previous camera saw, or another one in a sixth of the texels. width and height are the frame's.
 ReprojectionCacheCase reprojectionCacheCase(const Variant& variant, int width, int height, uint64_t seed);
+// Of its outputs and lighting_cache's: 32 bits of values, and of state where there is one.
+std::vector<VkFormat> cacheFormats(const Variant& variant);
 // The depths of a state.
 Pixels depthsOf(const Pixels& state);
 // Sets what the shader takes from `pass`, by the runtime's own functions.

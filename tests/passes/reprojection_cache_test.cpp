@@ -23,11 +23,6 @@ bool isFramed(const Variant& variant) {
     return reprise::switchValue(variant, "VALUES") == "with_frames";
 }
 
-// 32 bits of values, and of state where there is one.
-std::vector<VkFormat> formatsOf(const Variant& variant) {
-    return isFramed(variant) ? std::vector<VkFormat>{r32f} : std::vector<VkFormat>{rgba32f, rg32f};
-}
-
 // Every combination but those that read no history, of which one is enough.
 std::vector<Variant> allVariants() {
     std::vector<Variant> variants;
@@ -52,7 +47,7 @@ std::vector<Variant> allVariants() {
 
 TEST_P(ReprojectionCache, everyVariantEqualsTheOracleAtEverySize) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), formatsOf(variant));
+        Pass pass(variant, GetParam(), cacheFormats(variant));
         for (const auto& [width, height] : sizes) {
             if (width > 64 && reprise::variantName(variant) != "reprojection_cache") continue;
             const auto frame = reprojectionCacheCase(variant, width, height, 91);
@@ -67,7 +62,7 @@ TEST_P(ReprojectionCache, everyVariantEqualsTheOracleAtEverySize) {
 // history holds.
 TEST_P(ReprojectionCache, invalidHistoryGivesTheFreshValue) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), formatsOf(variant));
+        Pass pass(variant, GetParam(), cacheFormats(variant));
         auto frame = reprojectionCacheCase(variant, 33, 17, 92);
         frame.pass.historyValid = 0.0;
         setParameters(frame);
@@ -95,7 +90,7 @@ TEST_P(ReprojectionCache, invalidHistoryGivesTheFreshValue) {
 // Broken texels of every input: all that comes out is what a history can hold.
 TEST_P(ReprojectionCache, brokenTexelsLeaveNumbers) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), formatsOf(variant));
+        Pass pass(variant, GetParam(), cacheFormats(variant));
         const auto clean = reprojectionCacheCase(variant, 33, 17, 93);
         for (const float value : poisons)
             for (int input = 0; input < 6; ++input) {
@@ -118,7 +113,7 @@ TEST_P(ReprojectionCache, brokenTexelsLeaveNumbers) {
 // oracle, as does every other.
 TEST_P(ReprojectionCache, brokenHistoryIsNotUsed) {
     for (const Variant& variant : allVariants()) {
-        Pass pass(variant, GetParam(), formatsOf(variant));
+        Pass pass(variant, GetParam(), cacheFormats(variant));
         for (const float value : poisons)
             for (const int channel : {0, 1, 4, 5}) { // of the values, then of the state
                 auto frame = reprojectionCacheCase(variant, 33, 17, 94);

@@ -186,29 +186,23 @@ void Reader::eachChoice(const toml::table& parent, std::string_view key, const P
             Variant probe{&pass, {}};
             if (auto set = reprise::setSwitch(probe, name.str(), value.str()); !set)
                 fail(node, set.error().message);
-            take(Condition{keep(std::string(name.str())), keep(std::string(value.str()))}, node,
-                 table(choices), value.str());
+            take({keep(std::string(name.str())), keep(std::string(value.str()))}, table(choices));
         }
 }
 
 std::span<const FormatChoice> Reader::formatsBy(const toml::table& parent, const PassInfo& pass) {
     auto& list = storage_.formatLists.emplace_back();
-    eachChoice(parent, "format_by", pass,
-               [&](const Condition& when, const toml::node& format, const toml::table&, std::string_view) {
-                   list.push_back({when, keep(as<std::string>(format, "a string"))});
-               });
+    eachChoice(parent, "format_by", pass, [&](Condition when, const toml::table& choices) {
+        list.push_back({when, text(choices, when.value)});
+    });
     return list;
 }
 
 std::span<const GroupChoice> Reader::groupsBy(const toml::table& parent, const PassInfo& pass) {
     auto& list = storage_.groupLists.emplace_back();
-    eachChoice(
-        parent, "threads_by", pass,
-        [&](const Condition& when, const toml::node&, const toml::table& choices, std::string_view value) {
-            GroupChoice choice{when, {}};
-            numbers(choices, value, choice.threads);
-            list.push_back(choice);
-        });
+    eachChoice(parent, "threads_by", pass, [&](Condition when, const toml::table& choices) {
+        numbers(choices, when.value, list.emplace_back(GroupChoice{when, {}}).threads);
+    });
     return list;
 }
 

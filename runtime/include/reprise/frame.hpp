@@ -95,7 +95,7 @@ struct FrameOutput {
     // anti-aliasing has no image.
     ImageRef colour;
     // At full resolution: in red visibility by occluders near by, or the sun's, or the value; of both, the
-    // sun's in green. RG16F, or at a ratio of 1 as the last step writes it.
+    // sun's in green. RG8 of a packed cache, else RG16F, or at a ratio of 1 as the last step writes it.
     std::optional<ImageRef> lighting;
     std::optional<ImageRef> lit; // with needs.combinesLighting: the light put together, before anti-aliasing
     // Likewise; none where the plan makes none: nothing moves, or the camera alone and MOTION is camera.

@@ -48,8 +48,8 @@ TEST_F(SmallPack, mistakesInTheTableAreNamedWithTheirLine) {
     formats("\"r16f\"", "this must be a table");
 }
 
+// Groups of the values that are named, the others those of the pass; what is no group is an error.
 TEST_F(SmallPack, groupsFollowASwitch) {
-    std::string table = smallTable;
     const std::string place = "threads = [8, 8, 1]\n";
     const auto with = [&](const std::string& choices) {
         std::string text = smallTable;
