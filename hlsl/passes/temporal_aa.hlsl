@@ -280,19 +280,20 @@ float3 readEnd(float2 firstUv, uint index) {
     return readColour(firstUv + offset * gOutputSize.zw);
 }
 
-// Each invocation reads its own column, and one or two of the texels beyond the ends of the rows.
-void readColourRows(float2 firstUv, out ColourRow rows[ROWS]) {
+// Each invocation reads its own column, and one or two of the texels beyond the ends of the rows. Mirrored:
+// +1 is outward.
+void readColourRows(float2 firstUv, float2 side, out ColourRow rows[ROWS]) {
     uint column = subgroupColumn();
     float3 ends = readEnd(firstUv, column), moreEnds = ends;
     if (SUBGROUP_ROW_WIDTH < 2u * ROWS) moreEnds = readEnd(firstUv, column + SUBGROUP_ROW_WIDTH);
     [unroll] for (uint y = 0; y < ROWS; ++y)
         rows[y].centre = readColour(firstUv + float2(0.0, (float(y) - 1.0) * gOutputSize.w));
     [unroll] for (uint row = 0; row < ROWS; ++row) {
-        uint index = 2u * row + (column == SUBGROUP_ROW_WIDTH - 1u ? 0u : 1u);
+        uint index = 2u * row + (column == 0u ? 0u : 1u);
         float3 end = 2u * row < SUBGROUP_ROW_WIDTH ? valueInRow(ends, index)
                                                    : valueInRow(moreEnds, index - SUBGROUP_ROW_WIDTH);
-        rows[row].left = valueToTheLeft(rows[row].centre, end);
-        rows[row].right = valueToTheRight(rows[row].centre, end);
+        rows[row].left = quadSwapX(rows[row].centre, side);
+        rows[row].right = outerNeighbour(rows[row].centre, end);
     }
 }
 
@@ -376,7 +377,7 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
 #if !NEIGHBOURHOOD_FOUR_TAP
     ColourRow rows[ROWS];
 #if QUAD_SHARING
-    readColourRows(firstUv, rows);
+    readColourRows(firstUv, side, rows);
 #else
     rows[0] = readColourRow(firstUv - below);
     rows[1] = readColourRow(firstUv);
@@ -396,7 +397,7 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
         rows[row + 2] = readColourRow(uv + below);
 #endif
         Neighbourhood n = neighbourhoodOf(rows[row], rows[row + 1], rows[row + 2]);
-        float3 current = unjitteredColour(n, float2(1.0, 1.0));
+        float3 current = unjitteredColour(n, side);
         Resolved resolved = resolve(uv, motions[row], histories[row], current, neighbourhoodBox(n));
 #endif
         if (row % 2 == 1) writePair(firstPixel + uint2(0, row - 1), upper, resolved);
@@ -410,15 +411,21 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
 
 #if QUAD_SHARING
 
+float3 loadColour(int x, int y) {
+    return toWorkingSpace(LOAD(gInColour, int2(x, y)).rgb);
+}
+
 // Reads the texel itself and three on the outer side; the other five come from the quad. Mirrored: +1 is
-// outward.
+// outward. A pixel of the quad beyond the image has its edge. Loads: samples cost the CPU driver more.
 Neighbourhood readNeighbourhood(float2 uv, float2 side) {
-    float2 outward = side * gOutputSize.zw;
+    int2 last = int2(gOutputSize.xy) - 1;
+    int2 place = int2(uvToPx(uv, gOutputSize.xy));
+    int2 own = min(place, last), outer = clamp(place + int2(side), int2(0, 0), last);
     Neighbourhood n;
-    n.centre = readColour(uv);
-    n.right = readColour(uv + float2(outward.x, 0.0));
-    n.down = readColour(uv + float2(0.0, outward.y));
-    n.rightDown = readColour(uv + outward);
+    n.centre = loadColour(own.x, own.y);
+    n.right = loadColour(outer.x, own.y);
+    n.down = loadColour(own.x, outer.y);
+    n.rightDown = loadColour(outer.x, outer.y);
     n.left = quadSwapX(n.centre, side);
     n.leftDown = quadSwapX(n.down, side);
     n.up = quadSwapY(n.centre, side);

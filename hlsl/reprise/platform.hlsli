@@ -5,6 +5,7 @@
 //   TEXTURE_LINEAR(gInColour, 1)    the same with a bilinear filter
 //   SAMPLE(gInColour, uv)           float4, mip level 0
 //   SAMPLE_OFFSET(gInColour, uv, texelSize, x, y)   the same, moved by whole texels, constants in [-8, 7]
+//   LOAD(gInColour, px)             float4 of the texel px, int2 inside the image, without a filter; not D3D9
 //   GATHER_RED(gInDepth, uv)        the four red values around uv: (0,1), (1,1), (1,0), (0,0); only where
 //                                   HAS_GATHER; also GATHER_GREEN, GATHER_BLUE and GATHER_ALPHA
 //   TEXTURE_PARAMETER(colour)       a texture as parameter of a function
@@ -63,6 +64,7 @@
 #define TEXTURE_ARGUMENT(name) name, name##_sampler
 #define SAMPLE(name, uv) name.SampleLevel(name##_sampler, uv, 0.0)
 #define SAMPLE_OFFSET(name, uv, texelSize, x, y) name.SampleLevel(name##_sampler, uv, 0.0, int2(x, y))
+#define LOAD(name, px) name.Load(int3(px, 0))
 // The fragment form for ES is 3.00, which has no gather.
 #if PLATFORM_GLES && !STAGE_COMPUTE
 #define HAS_GATHER 0

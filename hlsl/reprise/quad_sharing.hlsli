@@ -35,16 +35,13 @@ float3 valueInRow(float3 value, uint column) {
     return WaveReadLaneAt(value, WaveGetLaneIndex() - subgroupColumn() + column);
 }
 
-// The values of the left and of the right neighbour. `end` stands for what lies beyond the row: in the last
-// invocation the value to the left of the first one, in the first that to the right of the last.
-float3 valueToTheLeft(float3 value, float3 end) {
-    bool isLast = subgroupColumn() == SUBGROUP_ROW_WIDTH - 1u;
-    return valueInRow(isLast ? end : value, (subgroupColumn() - 1u) & (SUBGROUP_ROW_WIDTH - 1u));
-}
-
-float3 valueToTheRight(float3 value, float3 end) {
-    bool isFirst = subgroupColumn() == 0u;
-    return valueInRow(isFirst ? end : value, (subgroupColumn() + 1u) & (SUBGROUP_ROW_WIDTH - 1u));
+// The value of the neighbour on the outer side; quadSwapX() has the one on the inner side. In the first and
+// in the last invocation it is `end`: what lies beyond the row.
+float3 outerNeighbour(float3 value, float3 end) {
+    uint column = subgroupColumn(), last = SUBGROUP_ROW_WIDTH - 1u;
+    uint outerColumn = (column & 1u) != 0u ? column + 1u : column - 1u;
+    float3 outer = valueInRow(value, outerColumn & last);
+    return column == 0u || column == last ? end : outer;
 }
 
 // The value of the invocation half a row away.

@@ -225,8 +225,14 @@ const std::vector<Mutant>& temporalAaMutants() {
          {}},
         {"sharedEndsSwapped",
          "reprise/quad_sharing.hlsli",
-         "isLast ? end : value",
-         "value",
+         "column == 0u || column == last ? end : outer",
+         "outer",
+         compute,
+         {{"QUAD_SHARING", "on"}}},
+        {"sharedRowsNotMirrored",
+         "passes/temporal_aa.hlsl",
+         "unjitteredColour(n, side);\n        Resolved",
+         "unjitteredColour(n, float2(1.0, 1.0));\n        Resolved",
          compute,
          {{"QUAD_SHARING", "on"}}},
         {"sharedEndOfAnotherRow",
@@ -234,6 +240,18 @@ const std::vector<Mutant>& temporalAaMutants() {
          "float(index >> 1u) - 1.0",
          "float(index >> 1u)",
          compute,
+         {{"QUAD_SHARING", "on"}}},
+        {"sharedQuadBeyondTheImage",
+         "passes/temporal_aa.hlsl",
+         "own = min(place, last)",
+         "own = place",
+         fragment,
+         {{"QUAD_SHARING", "on"}}},
+        {"sharedTexelBeyondTheImage",
+         "passes/temporal_aa.hlsl",
+         "clamp(place + int2(side), int2(0, 0), last)",
+         "place + int2(side)",
+         fragment,
          {{"QUAD_SHARING", "on"}}},
         {"sharedStoresNotExchanged",
          "passes/temporal_aa.hlsl",
@@ -321,9 +339,9 @@ ChangedPack changed(const Mutant& mutant) {
     return ChangedPack({&change, 1});
 }
 
-// The frames of the comparison: as it is, velocity in NDC, and without history.
+// The frames of the comparison: as it is, velocity in NDC, and without history; odd, so that quads go beyond.
 std::vector<TemporalAaFrame> framesForMutants() {
-    TemporalAaFrame plain = randomFrame(40, 40, 31), ndc = plain, first = plain;
+    TemporalAaFrame plain = randomFrame(39, 37, 31), ndc = plain, first = plain;
     for (size_t i = 0; i < ndc.velocity.values.size(); ++i)
         ndc.velocity.values[i] *= i % 2 == 0 ? 2.0f : -2.0f;
     ndc.parameters.gMotionToUv[0] = 0.5f;

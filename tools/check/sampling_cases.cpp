@@ -388,15 +388,15 @@ Case swappedExactly() {
             }};
 }
 
-// Rows of the subgroup, whatever their width: the neighbour of an odd invocation is the one to its left, that
-// of an even one the one to its right.
+// Rows of the subgroup, whatever their width: each case ends with the value of the other in the pair.
 Case sharedInRow(const std::string& function, const std::string& value) {
     return {
         "neighbours to ±1e30, in a compute shader",
         {function,
          {quadSharing},
-         "float3 left = valueToTheLeft(in0.xyz, in0.xyz), right = valueToTheRight(in0.xyz, in0.xyz);"
-         "bool odd = (thread.x & 1u) != 0u; out0.xyz = " +
+         "uint column = subgroupColumn(), other = column ^ 1u;"
+         "uint second = ((column & 1u) != 0u ? column + 2u : column - 2u) & (SUBGROUP_ROW_WIDTH - 1u);"
+         "out0.xyz = " +
              value + ";",
          3,
          1},
@@ -407,11 +407,11 @@ Case sharedInRow(const std::string& function, const std::string& value) {
 }
 
 std::vector<Case> sharedInRows() {
-    return {sharedInRow("subgroupColumn", "(subgroupColumn() & 1u) != 0u ? left : right"),
-            sharedInRow("valueToTheLeft", "odd ? left : valueInRow(in0.xyz, subgroupColumn() + 1u)"),
-            sharedInRow("valueToTheRight", "odd ? valueInRow(in0.xyz, subgroupColumn() - 1u) : right"),
-            sharedInRow("valueInRow", "valueInRow(in0.xyz, subgroupColumn() ^ 1u)"),
-            sharedInRow("halfRowSwap", "halfRowSwap(halfRowSwap(odd ? left : right))")};
+    return {sharedInRow("subgroupColumn", "WaveReadLaneAt(in0.xyz, WaveGetLaneIndex() - column + other)"),
+            sharedInRow("valueInRow", "valueInRow(in0.xyz, other)"),
+            sharedInRow("outerNeighbour",
+                        "outerNeighbour(valueInRow(in0.xyz, second), valueInRow(in0.xyz, other))"),
+            sharedInRow("halfRowSwap", "halfRowSwap(halfRowSwap(valueInRow(in0.xyz, other)))")};
 }
 
 } // namespace
