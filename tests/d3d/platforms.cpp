@@ -17,8 +17,9 @@ constexpr Exception exceptionRows[] = {
      Stage::fragment,
      "temporal_aa",
      {"QUAD_SHARING", "on"},
-     "GATHER_RED",
-     "quads take depths from gathers and neighbours from fine derivatives; shader model 3 has neither"},
+     "LOAD",
+     "quads take colours from loads, depths from gathers and neighbours from fine derivatives, which shader "
+     "model 3 has not"},
     {11,
      Stage::compute,
      "temporal_aa",
