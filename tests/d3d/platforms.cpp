@@ -17,7 +17,7 @@ constexpr Exception exceptionRows[] = {
      Stage::fragment,
      "temporal_aa",
      {"QUAD_SHARING", "on"},
-     "LOAD",
+     "undeclared identifier 'LOAD'",
      "quads take colours from loads, depths from gathers and neighbours from fine derivatives, which shader "
      "model 3 has not"},
     {11,

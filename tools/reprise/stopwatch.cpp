@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
-#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -142,9 +141,11 @@ void Stopwatch::addPass(const Variant& variant, Stage stage, const PassData& dat
 void Stopwatch::run(uint32_t rounds, Progress& progress, double workPerRound) {
     // Each round in another order: what ran before leaves its images in the caches of a GPU.
     std::mt19937 random(1);
-    std::vector<size_t> order(sections_.size());
-    std::iota(order.begin(), order.end(), size_t{0});
+    std::vector<size_t> order;
     const auto timeAll = [&] {
+        order.clear();
+        for (size_t i = 0; i < sections_.size(); ++i)
+            order.insert(order.end(), turnsOf(sections_[i].samples), i);
         std::shuffle(order.begin(), order.end(), random);
         std::vector<std::function<void(VkCommandBuffer)>> records;
         for (const size_t section : order)
@@ -159,9 +160,6 @@ void Stopwatch::run(uint32_t rounds, Progress& progress, double workPerRound) {
     while (std::chrono::steady_clock::now() - begin < warmUp);
     progress.step(workPerRound, "timing");
     for (uint32_t round = 0; round < rounds; ++round) {
-        order.clear();
-        for (size_t i = 0; i < sections_.size(); ++i)
-            order.insert(order.end(), turnsOf(sections_[i].samples), i);
         const std::vector<double> times = timeAll();
         progress.step(workPerRound, "timing");
         for (size_t i = 0; i < times.size(); ++i)
