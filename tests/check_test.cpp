@@ -171,7 +171,7 @@ TEST(CheckMutants, wrongFunctionsAreReportedForWhatTheyDo) {
          "(1.0 - maxComponent(compressed))", "infinity"},
         {"sanitize", "colour", "colour.b > 0.0 ? colour.b : 0.0", "colour.b", above},
         {"luminanceFeedback", "feedback",
-         "max(1.0 - abs(currentLuminance - historyLuminance) / largest, 0.0)",
+         "saturate(1.0 - abs(currentLuminance - historyLuminance) / largest)",
          "1.0 - abs(currentLuminance - historyLuminance) / largest", "NaN"},
         {"blendHistory", "feedback", "current + (history - current) * weight",
          "current * (1.0 - weight) + history * (weight + 1e-6)", above},
@@ -185,7 +185,7 @@ TEST(CheckMutants, wrongFunctionsAreReportedForWhatTheyDo) {
         {"clipToUv", "reprojection", "positionCS.w > 0.0", "positionCS.w != 0.0", above},
         {"linearDepthFromDevice", "depth", "1.0 / max(affine, 1e-30)", "1.0 / affine", "infinity"},
         {"unjitterWeightsGaussian", "unjitter", "clamp(jitterPx, -1.0, 1.0)", "jitterPx", "NaN"},
-        {"isInsideUv", "coordinates", "all(abs(uv - 0.5) <= 0.5)", "!any(abs(uv - 0.5) > 0.5)", above},
+        {"isInsideUv", "coordinates", "all(asuint(uv) <= asuint(1.0))", "!any(abs(uv - 0.5) > 0.5)", above},
         {"quadSwapY", "quad_sharing", "ddy_fine(value) * side.y", "ddy_fine(value) * side.x", above},
         {"sampleCatmullRom5", "resampling", "f * f * (-0.5 + 0.5 * f)", "f * f * (-0.5 + 0.49 * f)", above},
     };

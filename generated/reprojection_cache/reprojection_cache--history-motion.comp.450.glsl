@@ -37,8 +37,7 @@ void main()
     float _111 = dot((parameters.gViewToPreviousClip * vec4(fma(_79, parameters.gViewRay.xy, parameters.gViewRay.zw) * _92, _92, 1.0)).zw, parameters.gClipToDepth);
     float _114 = (abs(_111) <= 9.9999996802856924650656260769173e+37) ? _111 : 0.0;
     vec2 _126 = fma(-textureLod(gInVelocity, _95 - ((parameters.gOutputSize.zw * 0.125) / parameters.gFrameToCoarse), 0.0).xy, parameters.gMotionToUv, _95);
-    vec2 _131 = mix(vec2(-8.0), _126, bvec2(all(lessThanEqual(abs(_126), vec2(8.0)))));
-    vec2 _135 = _131 * parameters.gFrameToCoarse;
+    vec2 _135 = mix(vec2(-8.0), _126, bvec2(all(lessThanEqual(abs(_126), vec2(8.0))))) * parameters.gFrameToCoarse;
     float _141 = max(fma(parameters.gMissThreshold.y, _92, parameters.gMissThreshold.x), 9.9999999747524270787835121154785e-07);
     vec4 _145 = textureLod(gHistoryCacheFiltered, _135, 0.0);
     vec4 _149 = textureLod(gHistoryCacheStateFiltered, _135, 0.0);
@@ -47,17 +46,17 @@ void main()
     float _154 = (_151 > 0.0) ? min(_151, 255.0) : 0.0;
     float _161 = _141 - abs(((abs(_114) <= 9.9999996802856924650656260769173e+37) ? _114 : 0.0) - _145.y);
     float _164 = (_161 > 0.0) ? (_161 * (parameters.gConvergenceTime / _141)) : 0.0;
-    float _176 = abs(_150);
-    float _179 = ((parameters.gHistoryValid > 0.5) && (_176 <= 65504.0)) ? (((_164 > 0.0) && all(lessThanEqual(abs(fma(_131, parameters.gFrameToCoarse, vec2(-0.5))), vec2(0.5)))) ? min(_164, 1.0) : 0.0) : 0.0;
-    float _192 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-    float _194 = parameters.gSpeedPx.y - abs(length(fma(_75, parameters.gOutputSize.zw, -_135) * parameters.gOutputSize.xy));
-    float _198 = ((_194 > 0.0) ? min(_194, _192) : 0.0) / _192;
-    float _201 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _206 = _154 * _179;
-    float _209 = (_206 > 0.0) ? min(_206, 255.0) : 0.0;
-    float _213 = min(min(_209 / (_209 + 1.0), _201), ((_201 * _198) * _198) * fma(-2.0, _198, 3.0));
-    float _216 = (abs(_88) <= 9.9999996802856924650656260769173e+37) ? _88 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_213 > 0.0) ? ((_176 <= 9.9999996802856924650656260769173e+37) ? fma(_150 - _216, clamp(_213, 0.0, 1.0), _216) : _216) : _88, _92, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_154 > 0.0) ? min(_154, 255.0) : 0.0, (_179 > 0.0) ? min(_179, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    float _175 = abs(_150);
+    float _178 = ((parameters.gHistoryValid > 0.5) && (_175 <= 65504.0)) ? (((_164 > 0.0) && all(lessThanEqual(floatBitsToUint(_135), uvec2(1065353216u)))) ? min(_164, 1.0) : 0.0) : 0.0;
+    float _191 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _193 = parameters.gSpeedPx.y - abs(length(fma(_75, parameters.gOutputSize.zw, -_135) * parameters.gOutputSize.xy));
+    float _197 = ((_193 > 0.0) ? min(_193, _191) : 0.0) / _191;
+    float _200 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _205 = _154 * _178;
+    float _208 = (_205 > 0.0) ? min(_205, 255.0) : 0.0;
+    float _212 = min(min(_208 / (_208 + 1.0), _200), ((_200 * _197) * _197) * fma(-2.0, _197, 3.0));
+    float _215 = (abs(_88) <= 9.9999996802856924650656260769173e+37) ? _88 : 0.0;
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_212 > 0.0) ? ((_175 <= 9.9999996802856924650656260769173e+37) ? fma(_150 - _215, clamp(_212, 0.0, 1.0), _215) : _215) : _88, _92, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_154 > 0.0) ? min(_154, 255.0) : 0.0, (_178 > 0.0) ? min(_178, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

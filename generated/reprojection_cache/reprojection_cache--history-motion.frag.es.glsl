@@ -39,8 +39,7 @@ void main()
     float _109 = (abs(_106) <= 9.9999996802856924650656260769173e+37) ? _106 : 0.0;
     vec2 _121 = (-textureLod(gInVelocity, _90 - ((parameters.gOutputSize.zw * 0.125) / parameters.gFrameToCoarse), 0.0).xy) * parameters.gMotionToUv + _90;
     bvec2 _125 = bvec2(all(lessThanEqual(abs(_121), vec2(8.0))));
-    vec2 _126 = vec2(_125.x ? _121.x : vec2(-8.0).x, _125.y ? _121.y : vec2(-8.0).y);
-    vec2 _130 = _126 * parameters.gFrameToCoarse;
+    vec2 _130 = vec2(_125.x ? _121.x : vec2(-8.0).x, _125.y ? _121.y : vec2(-8.0).y) * parameters.gFrameToCoarse;
     float _136 = max(parameters.gMissThreshold.y * _87 + parameters.gMissThreshold.x, 9.9999999747524270787835121154785e-07);
     vec4 _140 = textureLod(gHistoryCacheFiltered, _130, 0.0);
     vec4 _144 = textureLod(gHistoryCacheStateFiltered, _130, 0.0);
@@ -49,17 +48,17 @@ void main()
     float _149 = (_146 > 0.0) ? min(_146, 255.0) : 0.0;
     float _156 = _136 - abs(((abs(_109) <= 9.9999996802856924650656260769173e+37) ? _109 : 0.0) - _140.y);
     float _159 = (_156 > 0.0) ? (_156 * (parameters.gConvergenceTime / _136)) : 0.0;
-    float _171 = abs(_145);
-    float _174 = ((parameters.gHistoryValid > 0.5) && (_171 <= 65504.0)) ? (((_159 > 0.0) && all(lessThanEqual(abs(_126 * parameters.gFrameToCoarse + vec2(-0.5)), vec2(0.5)))) ? min(_159, 1.0) : 0.0) : 0.0;
-    float _187 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-    float _189 = parameters.gSpeedPx.y - abs(length((gl_FragCoord.xy * parameters.gOutputSize.zw + (-_130)) * parameters.gOutputSize.xy));
-    float _193 = ((_189 > 0.0) ? min(_189, _187) : 0.0) / _187;
-    float _196 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _201 = _149 * _174;
-    float _204 = (_201 > 0.0) ? min(_201, 255.0) : 0.0;
-    float _208 = min(min(_204 / (_204 + 1.0), _196), ((_196 * _193) * _193) * ((-2.0) * _193 + 3.0));
-    float _211 = (abs(_83) <= 9.9999996802856924650656260769173e+37) ? _83 : 0.0;
-    gOutCache = vec4((_208 > 0.0) ? ((_171 <= 9.9999996802856924650656260769173e+37) ? ((_145 - _211) * clamp(_208, 0.0, 1.0) + _211) : _211) : _83, _87, 0.0, 0.0);
-    gOutCacheState = vec4(min(((_149 > 0.0) ? min(_149, 255.0) : 0.0) * ((_174 > 0.0) ? min(_174, 1.0) : 0.0) + 1.0, 255.0), 0.0, 0.0, 0.0);
+    float _170 = abs(_145);
+    float _173 = ((parameters.gHistoryValid > 0.5) && (_170 <= 65504.0)) ? (((_159 > 0.0) && all(lessThanEqual(floatBitsToUint(_130), uvec2(1065353216u)))) ? min(_159, 1.0) : 0.0) : 0.0;
+    float _186 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _188 = parameters.gSpeedPx.y - abs(length((gl_FragCoord.xy * parameters.gOutputSize.zw + (-_130)) * parameters.gOutputSize.xy));
+    float _192 = ((_188 > 0.0) ? min(_188, _186) : 0.0) / _186;
+    float _195 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _200 = _149 * _173;
+    float _203 = (_200 > 0.0) ? min(_200, 255.0) : 0.0;
+    float _207 = min(min(_203 / (_203 + 1.0), _195), ((_195 * _192) * _192) * ((-2.0) * _192 + 3.0));
+    float _210 = (abs(_83) <= 9.9999996802856924650656260769173e+37) ? _83 : 0.0;
+    gOutCache = vec4((_207 > 0.0) ? ((_170 <= 9.9999996802856924650656260769173e+37) ? ((_145 - _210) * clamp(_207, 0.0, 1.0) + _210) : _210) : _83, _87, 0.0, 0.0);
+    gOutCacheState = vec4(min(((_149 > 0.0) ? min(_149, 255.0) : 0.0) * ((_173 > 0.0) ? min(_173, 1.0) : 0.0) + 1.0, 255.0), 0.0, 0.0, 0.0);
 }
 

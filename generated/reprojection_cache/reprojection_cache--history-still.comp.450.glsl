@@ -40,17 +40,17 @@ void main()
     float _97 = (_94 > 0.0) ? min(_94, 255.0) : 0.0;
     float _104 = _84 - abs(_78 - _88.y);
     float _107 = (_104 > 0.0) ? (_104 * (parameters.gConvergenceTime / _84)) : 0.0;
-    float _119 = abs(_93);
-    float _122 = ((parameters.gHistoryValid > 0.5) && (_119 <= 65504.0)) ? (((_107 > 0.0) && all(lessThanEqual(abs(fma(_61, parameters.gOutputSize.zw, vec2(-0.5))), vec2(0.5)))) ? min(_107, 1.0) : 0.0) : 0.0;
-    float _135 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-    float _137 = parameters.gSpeedPx.y - abs(length(fma(_61, parameters.gOutputSize.zw, -_65) * parameters.gOutputSize.xy));
-    float _141 = ((_137 > 0.0) ? min(_137, _135) : 0.0) / _135;
-    float _144 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _149 = _97 * _122;
-    float _152 = (_149 > 0.0) ? min(_149, 255.0) : 0.0;
-    float _156 = min(min(_152 / (_152 + 1.0), _144), ((_144 * _141) * _141) * fma(-2.0, _141, 3.0));
-    float _159 = (abs(_74) <= 9.9999996802856924650656260769173e+37) ? _74 : 0.0;
-    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_156 > 0.0) ? ((_119 <= 9.9999996802856924650656260769173e+37) ? fma(_93 - _159, clamp(_156, 0.0, 1.0), _159) : _159) : _74, _78, 0.0, 0.0));
-    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_97 > 0.0) ? min(_97, 255.0) : 0.0, (_122 > 0.0) ? min(_122, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
+    float _118 = abs(_93);
+    float _121 = ((parameters.gHistoryValid > 0.5) && (_118 <= 65504.0)) ? (((_107 > 0.0) && all(lessThanEqual(floatBitsToUint(_65), uvec2(1065353216u)))) ? min(_107, 1.0) : 0.0) : 0.0;
+    float _134 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _136 = parameters.gSpeedPx.y - abs(length(fma(_61, parameters.gOutputSize.zw, -_65) * parameters.gOutputSize.xy));
+    float _140 = ((_136 > 0.0) ? min(_136, _134) : 0.0) / _134;
+    float _143 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _148 = _97 * _121;
+    float _151 = (_148 > 0.0) ? min(_148, 255.0) : 0.0;
+    float _155 = min(min(_151 / (_151 + 1.0), _143), ((_143 * _140) * _140) * fma(-2.0, _140, 3.0));
+    float _158 = (abs(_74) <= 9.9999996802856924650656260769173e+37) ? _74 : 0.0;
+    imageStore(gOutCache, ivec2(gl_GlobalInvocationID.xy), vec4((_155 > 0.0) ? ((_118 <= 9.9999996802856924650656260769173e+37) ? fma(_93 - _158, clamp(_155, 0.0, 1.0), _158) : _158) : _74, _78, 0.0, 0.0));
+    imageStore(gOutCacheState, ivec2(gl_GlobalInvocationID.xy), vec4(min(fma((_97 > 0.0) ? min(_97, 255.0) : 0.0, (_121 > 0.0) ? min(_121, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0));
 }
 

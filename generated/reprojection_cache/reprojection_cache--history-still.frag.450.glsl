@@ -39,17 +39,17 @@ void main()
     float _92 = (_89 > 0.0) ? min(_89, 255.0) : 0.0;
     float _99 = _79 - abs(_73 - _83.y);
     float _102 = (_99 > 0.0) ? (_99 * (parameters.gConvergenceTime / _79)) : 0.0;
-    float _114 = abs(_88);
-    float _117 = ((parameters.gHistoryValid > 0.5) && (_114 <= 65504.0)) ? (((_102 > 0.0) && all(lessThanEqual(abs(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, vec2(-0.5))), vec2(0.5)))) ? min(_102, 1.0) : 0.0) : 0.0;
-    float _130 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
-    float _132 = parameters.gSpeedPx.y - abs(length(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_60) * parameters.gOutputSize.xy));
-    float _136 = ((_132 > 0.0) ? min(_132, _130) : 0.0) / _130;
-    float _139 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
-    float _144 = _92 * _117;
-    float _147 = (_144 > 0.0) ? min(_144, 255.0) : 0.0;
-    float _151 = min(min(_147 / (_147 + 1.0), _139), ((_139 * _136) * _136) * fma(-2.0, _136, 3.0));
-    float _154 = (abs(_69) <= 9.9999996802856924650656260769173e+37) ? _69 : 0.0;
-    gOutCache = vec4((_151 > 0.0) ? ((_114 <= 9.9999996802856924650656260769173e+37) ? fma(_88 - _154, clamp(_151, 0.0, 1.0), _154) : _154) : _69, _73, 0.0, 0.0);
-    gOutCacheState = vec4(min(fma((_92 > 0.0) ? min(_92, 255.0) : 0.0, (_117 > 0.0) ? min(_117, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0);
+    float _113 = abs(_88);
+    float _116 = ((parameters.gHistoryValid > 0.5) && (_113 <= 65504.0)) ? (((_102 > 0.0) && all(lessThanEqual(floatBitsToUint(_60), uvec2(1065353216u)))) ? min(_102, 1.0) : 0.0) : 0.0;
+    float _129 = max(parameters.gSpeedPx.y - parameters.gSpeedPx.x, 9.9999999747524270787835121154785e-07);
+    float _131 = parameters.gSpeedPx.y - abs(length(fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -_60) * parameters.gOutputSize.xy));
+    float _135 = ((_131 > 0.0) ? min(_131, _129) : 0.0) / _129;
+    float _138 = (parameters.gMaxWeight > 0.0) ? min(parameters.gMaxWeight, 1.0) : 0.0;
+    float _143 = _92 * _116;
+    float _146 = (_143 > 0.0) ? min(_143, 255.0) : 0.0;
+    float _150 = min(min(_146 / (_146 + 1.0), _138), ((_138 * _135) * _135) * fma(-2.0, _135, 3.0));
+    float _153 = (abs(_69) <= 9.9999996802856924650656260769173e+37) ? _69 : 0.0;
+    gOutCache = vec4((_150 > 0.0) ? ((_113 <= 9.9999996802856924650656260769173e+37) ? fma(_88 - _153, clamp(_150, 0.0, 1.0), _153) : _153) : _69, _73, 0.0, 0.0);
+    gOutCacheState = vec4(min(fma((_92 > 0.0) ? min(_92, 255.0) : 0.0, (_116 > 0.0) ? min(_116, 1.0) : 0.0, 1.0), 255.0), 0.0, 0.0, 0.0);
 }
 

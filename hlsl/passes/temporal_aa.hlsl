@@ -47,7 +47,7 @@ TEXTURE_POINT(gInVelocity, 3);
 TEXTURE_LINEAR(gHistoryColour, 4);
 TEXTURE_LINEAR(gInColourFiltered, 5);
 
-// --- The space in which neighbourhood, clip and blend work: shares of UNIT_COLOUR_RANGE, or compressed
+// --- The space in which neighbourhood, clip and blend work: shares of MAX_COLOUR, or compressed
 
 float3 toWorkingSpace(float3 colour) {
 #if HDR_WEIGHT
@@ -63,7 +63,7 @@ float3 toWorkingSpace(float3 colour) {
 
 float3 fromWorkingSpace(float3 colour) {
 #if COLOUR_SPACE_YCOCG
-    colour = max(ycocgToRgb(colour), 0.0);
+    colour = saturate(ycocgToRgb(colour));   // luma of one texel and chroma of another may lie outside
 #endif
 #if HDR_WEIGHT
     return expandHdr(colour);
@@ -75,7 +75,7 @@ float3 fromWorkingSpace(float3 colour) {
 #if HDR_WEIGHT
 static const float WORKING_RANGE = 1.0;
 #else
-static const float WORKING_RANGE = UNIT_COLOUR_RANGE;
+static const float WORKING_RANGE = MAX_COLOUR;
 #endif
 
 // In the unit that FEEDBACK_LUMINANCE_FLOOR is in.
@@ -284,7 +284,8 @@ float3 readEnd(float2 firstUv, uint index) {
 // +1 is outward.
 void readColourRows(float2 firstUv, float2 side, out ColourRow rows[ROWS]) {
     uint column = subgroupColumn();
-    float3 ends = readEnd(firstUv, column), moreEnds = ends;
+    // Those beyond the last row would be read for nothing, from memory perhaps.
+    float3 ends = readEnd(firstUv, min(column, 2u * ROWS - 1u)), moreEnds = ends;
     if (SUBGROUP_ROW_WIDTH < 2u * ROWS) moreEnds = readEnd(firstUv, column + SUBGROUP_ROW_WIDTH);
     [unroll] for (uint y = 0; y < ROWS; ++y)
         rows[y].centre = readColour(firstUv + float2(0.0, (float(y) - 1.0) * gOutputSize.w));
@@ -368,7 +369,7 @@ void mainCompute(uint3 thread : SV_DispatchThreadID) {
 #if SEEKS_CLOSEST
         DepthSquare depths = depthSquareOf(depthRows[y], depthRows[y + 1], depthRows[y + 2]);
         float depth;
-        uv += closestFragment(depths, depth) * side * gOutputSize.zw;
+        uv += closestFragment(depths, side * gOutputSize.zw, depth);
         motions[y] = motionOf(uv, depth);
 #else
         motions[y] = ownMotion(uv);
@@ -443,7 +444,7 @@ float2 readClosestFragment(float2 uv, float2 side, out float depth) {
     float3 swappedY = quadSwapY(float3(own.w, own.z, swappedX.x), side);
     DepthSquare depths =
         depthSquareOf(swappedY.zxy, float3(swappedX.x, own.wz), float3(swappedX.y, own.xy));
-    return closestFragment(depths, depth) * side;
+    return closestFragment(depths, side * gOutputSize.zw, depth);
 }
 
 #else
@@ -463,7 +464,8 @@ Neighbourhood readNeighbourhood(float2 uv, float2 side) {
 }
 
 float2 readClosestFragment(float2 uv, float2 side, out float depth) {
-    return closestFragment(readDepthSquare(TEXTURE_ARGUMENT(gInDepth), uv, gOutputSize.zw), depth);
+    DepthSquare depths = readDepthSquare(TEXTURE_ARGUMENT(gInDepth), uv, gOutputSize.zw);
+    return closestFragment(depths, gOutputSize.zw, depth);
 }
 
 #endif
@@ -486,7 +488,7 @@ Outputs mainFragment(float4 positionPx : POSITION_PX) {
 #if SEEKS_CLOSEST
     float depth;
     float2 offset = readClosestFragment(uv, side, depth);
-    float2 motion = motionOf(uv + offset * gOutputSize.zw, depth);
+    float2 motion = motionOf(uv + offset, depth);
 #else
     float2 motion = ownMotion(uv);
 #endif

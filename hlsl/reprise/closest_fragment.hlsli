@@ -28,27 +28,29 @@ DepthSquare depthSquareOf(float3 up, float3 own, float3 down) {
     return d;
 }
 
-// Depth in x and offset in y of the closest in a row; the centre wins against equals.
-float2 closestInRow(float left, float centre, float right) {
-    float2 side = isCloser(right, left) ? float2(right, 1.0) : float2(left, -1.0);
+// Depth in x and offset in y of the closest in a row, which is 0 or step towards the right one; the centre
+// wins against equals.
+float2 closestInRow(float left, float centre, float right, float step) {
+    float2 side = isCloser(right, left) ? float2(right, step) : float2(left, -step);
     return isCloser(side.x, centre) ? side : float2(centre, 0.0);
 }
 
-// Offset in texels, each in {-1, 0, 1}, of the closest of nine, and its depth. The own row wins against
+// Offset of the closest of nine, in each direction 0 or a step, and its depth. `step` goes from the centre to
+// the one at the right below, in what the offset is wanted in: (1, 1) gives texels. The own row wins against
 // equals, and in it the centre. Row by row: a thread that resolves a column of pixels shares the rows.
-float2 closestFragment(DepthSquare d, out float depth) {
-    float2 own = closestInRow(d.left, d.centre, d.right);
-    float2 up = closestInRow(d.leftUp, d.up, d.rightUp);
-    float2 down = closestInRow(d.leftDown, d.down, d.rightDown);
+float2 closestFragment(DepthSquare d, float2 step, out float depth) {
+    float2 own = closestInRow(d.left, d.centre, d.right, step.x);
+    float2 up = closestInRow(d.leftUp, d.up, d.rightUp, step.x);
+    float2 down = closestInRow(d.leftDown, d.down, d.rightDown, step.x);
     float2 outer = isCloser(down.x, up.x) ? down : up;
-    float outerY = isCloser(down.x, up.x) ? 1.0 : -1.0;
+    float outerY = isCloser(down.x, up.x) ? step.y : -step.y;
     depth = isCloser(outer.x, own.x) ? outer.x : own.x;
     return isCloser(outer.x, own.x) ? float2(outer.y, outerY) : float2(own.y, 0.0);
 }
 
-float2 closestFragment(DepthSquare d) {
+float2 closestFragment(DepthSquare d, float2 step) {
     float depth;
-    return closestFragment(d, depth);
+    return closestFragment(d, step, depth);
 }
 
 #if HAS_GATHER

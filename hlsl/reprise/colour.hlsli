@@ -13,19 +13,16 @@ float3 sanitize(float3 colour) {
     return min(positive, MAX_COLOUR);
 }
 
-// What a unit colour is a share of: above MAX_COLOUR, and a power of two, so that both converters are exact.
-static const float UNIT_COLOUR_RANGE = 65536.0;
-
-// The same repair in the range of saturate, which GPUs do at no cost: [0, MAX_COLOUR] to [0, 1), NaN and
-// negative to 0, infinity and above to 1. saturate(NaN) is 0 in Direct3D; reprisec gives SPIR-V the clamp
-// that says so.
+// The same repair in the range of saturate, which GPUs do at no cost: a share of MAX_COLOUR, NaN and negative
+// to 0, infinity and above to 1. saturate(NaN) is 0 in Direct3D; reprisec gives SPIR-V the clamp that says
+// so.
 float3 toUnitColour(float3 colour) {
-    return saturate(colour * (1.0 / UNIT_COLOUR_RANGE));
+    return saturate(colour * (1.0 / MAX_COLOUR));
 }
 
-// The inverse, at most MAX_COLOUR.
+// The inverse, of [0, 1]. There and back costs three roundings of binary32.
 float3 fromUnitColour(float3 unit) {
-    return min(unit * UNIT_COLOUR_RANGE, MAX_COLOUR);
+    return unit * MAX_COLOUR;
 }
 
 // Of linear Rec. 709 colour.

@@ -33,9 +33,13 @@ float2 uvToPx(float2 uv, float2 extent) {
     return uv * extent;
 }
 
-// True inside the image, edges included; false for NaN.
+// True inside the image, edges included; false for NaN and for -0, which no sum of a place and a step is.
 bool isInsideUv(float2 uv) {
+#if PLATFORM_D3D9
     return all(abs(uv - 0.5) <= 0.5);
+#else
+    return all(asuint(uv) <= asuint(1.0));   // bits order as the floats >= 0 do, others after
+#endif
 }
 
 #endif

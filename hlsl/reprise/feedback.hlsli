@@ -12,7 +12,7 @@ static const float FEEDBACK_LUMINANCE_FLOOR = 0.2;
 // square alone would grow without end.
 float luminanceFeedback(float currentLuminance, float historyLuminance, float weightMin, float weightMax) {
     float largest = max(max(currentLuminance, historyLuminance), FEEDBACK_LUMINANCE_FLOOR);
-    float agreement = max(1.0 - abs(currentLuminance - historyLuminance) / largest, 0.0);
+    float agreement = saturate(1.0 - abs(currentLuminance - historyLuminance) / largest);
     return lerp(weightMin, weightMax, agreement * agreement);
 }
 

@@ -23,7 +23,7 @@ float3 clipToBoxCentre(float3 history, ColourBox box, float times, float minExte
     float3 centre = box.maximum + box.minimum;   // as all that follows, 2 * times what it is
     float3 extent = max(box.maximum - box.minimum, 2.0 * times * minExtent);
     float3 offset = history * (2.0 * times) - centre;
-    float3 share = extent / max(abs(offset), extent);   // of the way that is inside, per axis
+    float3 share = saturate(extent / abs(offset));   // of the way that is inside, per axis; x / 0 is 1
     return (centre + offset * min(share.x, min(share.y, share.z))) * (0.5 / times);
 }
 

@@ -47,7 +47,7 @@ Comparison closest(bool reversed) {
     }
     return {{"closestFragment",
              {header},
-             fillDepths + "out0.xy = closestFragment(d, out0.z);",
+             fillDepths + "out0.xy = closestFragment(d, float2(1.0, 1.0), out0.z);",
              3,
              1,
              reversedIs(reversed)},
@@ -66,10 +66,10 @@ TEST(ClosestFragment, offsetLeadsToTheClosestOfNine) {
 }
 
 TEST(ClosestFragment, wrongOffsetsOrAForgottenRowAreCaught) {
-    expectCaught(closest(false), {header, "float outerY = isCloser(down.x, up.x) ? 1.0 : -1.0;",
-                                  "float outerY = isCloser(down.x, up.x) ? -1.0 : 1.0;"});
-    expectCaught(closest(false), {header, "closestInRow(d.leftUp, d.up, d.rightUp)",
-                                  "closestInRow(d.leftUp, d.up, d.leftUp)"});
+    expectCaught(closest(false), {header, "float outerY = isCloser(down.x, up.x) ? step.y : -step.y;",
+                                  "float outerY = isCloser(down.x, up.x) ? -step.y : step.y;"});
+    expectCaught(closest(false), {header, "closestInRow(d.leftUp, d.up, d.rightUp, step.x)",
+                                  "closestInRow(d.leftUp, d.up, d.leftUp, step.x)"});
     expectCaught(closest(false),
                  {header, "depth = isCloser(outer.x, own.x) ? outer.x : own.x;", "depth = own.x;"});
     expectCaught(closest(true), {"reprise/depth.hlsli", "#if DEPTH_REVERSED", "#if !DEPTH_REVERSED"});

@@ -159,7 +159,7 @@ TEST(HistoryConstraint, thePrintedDivisionByAZeroExtentIsCaught) {
 }
 
 TEST(HistoryConstraint, clipThatPullsInsideHistoryToTheBorderIsCaught) {
-    expectCaught(clippingToCentre(), {header, "extent / max(abs(offset), extent)", "extent / abs(offset)"});
+    expectCaught(clippingToCentre(), {header, "saturate(extent / abs(offset))", "(extent / abs(offset))"});
 }
 
 TEST(HistoryConstraint, lineClipWithoutItsGuardsIsCaught) {

@@ -22,14 +22,9 @@ inline dvec3 sanitize(dvec3 colour) {
     return {sanitize(colour.r), sanitize(colour.g), sanitize(colour.b)};
 }
 
-// The same repair as a share of a power of two above maxColour; infinity to 1.
-inline constexpr double unitColourRange = 65536.0;
-
+// The same repair as a share of maxColour.
 inline dvec3 unitColour(dvec3 colour) {
-    const auto share = [](double value) {
-        return value > 0.0 ? std::min(value / unitColourRange, 1.0) : 0.0;
-    };
-    return {share(colour.r), share(colour.g), share(colour.b)};
+    return sanitize(colour) / maxColour;
 }
 
 // Rec. 709 primaries, linear.

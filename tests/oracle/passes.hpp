@@ -67,7 +67,8 @@ struct TemporalAaPixel {
 inline constexpr double roundings = 0x1p-21;
 
 inline dvec3 toWorking(const TemporalAa& taa, dvec3 colour) {
-    colour = taa.hdrWeight ? compressHdr(sanitize(colour)) : unitColour(colour) * unitColourRange;
+    colour = sanitize(colour);
+    if (taa.hdrWeight) colour = compressHdr(colour);
     return taa.ycocg ? rgbToYcocg(colour) : colour;
 }
 

@@ -17,8 +17,10 @@ inline dvec2 uvToNdc(dvec2 uv, bool sharesY = false) {
     return {2.0 * uv.x - 1.0, sharesY ? 2.0 * uv.y - 1.0 : 1.0 - 2.0 * uv.y};
 }
 
+// -0 is outside, as what a place left of the image may be rounded to.
 inline bool isInsideUv(dvec2 uv) {
-    return uv.x >= 0.0 && uv.x <= 1.0 && uv.y >= 0.0 && uv.y <= 1.0;
+    const auto inside = [](double place) { return !std::signbit(place) && place <= 1.0; };
+    return inside(uv.x) && inside(uv.y);
 }
 
 // Both a projection of any depth kind, perspective or orthographic, unjittered, symmetric or not.

@@ -15,40 +15,45 @@ Sweep over(std::vector<Row> rows, std::vector<Right> (*oracle)(const Row&)) {
     return {std::move(rows), oracle};
 }
 
+std::vector<Row> anyColours(const Effort& effort) {
+    return triples(colourValues(effort) + beyondMarks + std::vector{infinity, -infinity, notANumber});
+}
+
+std::vector<Right> shareOf(const Row& in) {
+    const dvec3 share = oracle::unitColour(xyz(in[0]));
+    return {right(share, share)};
+}
+
+// A share below the normal numbers may be taken for 0: as a rounding, of a size 2^24 times its colour's.
+std::vector<Right> throughUnit(const Row& in) {
+    const dvec3 colour = oracle::sanitize(xyz(in[0]));
+    return {right(colour, colour + oracle::maxColour * 0x1p-102)};
+}
+
 std::vector<Case> repairs() {
-    return {
-        {"any value, NaN and infinity too",
-         call("sanitize", "out0.xyz = sanitize(in0.xyz);"),
-         {Unit::exact, 0.0, "comparisons and copies"},
-         [](const Effort& effort) {
-             return over(
-                 triples(colourValues(effort) + beyondMarks + std::vector{infinity, -infinity, notANumber}),
-                 [](const Row& in) { return std::vector{right(oracle::sanitize(xyz(in[0])))}; });
-         }},
-        {"any value, NaN and infinity too",
-         call("toUnitColour", "out0.xyz = toUnitColour(in0.xyz);"),
-         {Unit::exact, 0.0, "a product by a power of two"},
-         [](const Effort& effort) {
-             return over(
-                 triples(colourValues(effort) + beyondMarks + std::vector{infinity, -infinity, notANumber}),
-                 [](const Row& in) { return std::vector{right(oracle::unitColour(xyz(in[0])))}; });
-         }},
-        {"unit colours of any value, NaN and infinity too",
-         call("fromUnitColour", "out0.xyz = fromUnitColour(toUnitColour(in0.xyz));"),
-         // What lies below the normal numbers as a share may be taken for 0.
-         {Unit::absolute, 65536.0 * 0x1p-126, "products by powers of two"},
-         [](const Effort& effort) {
-             return over(
-                 triples(colourValues(effort) + beyondMarks + std::vector{infinity, -infinity, notANumber}),
-                 [](const Row& in) { return std::vector{right(oracle::sanitize(xyz(in[0])))}; });
-         }},
-        {"to ±1e30",
-         call("maxComponent", "out0.x = maxComponent(in0.xyz);"),
-         {Unit::exact, 0.0, "chooses"},
-         [](const Effort& effort) {
-             return over(beyondColours(effort, 1),
-                         [](const Row& in) { return std::vector{right(oracle::maxComponent(xyz(in[0])))}; });
-         }}};
+    return {{"any value, NaN and infinity too",
+             call("sanitize", "out0.xyz = sanitize(in0.xyz);"),
+             {Unit::exact, 0.0, "comparisons and copies"},
+             [](const Effort& effort) {
+                 return over(anyColours(effort),
+                             [](const Row& in) { return std::vector{right(oracle::sanitize(xyz(in[0])))}; });
+             }},
+            {"any value, NaN and infinity too",
+             call("toUnitColour", "out0.xyz = toUnitColour(in0.xyz);"),
+             {Unit::roundings, 2.0, "a product by a rounded constant"},
+             [](const Effort& effort) { return over(anyColours(effort), shareOf); }},
+            {"unit colours of any value, NaN and infinity too",
+             call("fromUnitColour", "out0.xyz = fromUnitColour(toUnitColour(in0.xyz));"),
+             {Unit::roundings, 3.0, "two products, one by a rounded constant"},
+             [](const Effort& effort) { return over(anyColours(effort), throughUnit); }},
+            {"to ±1e30",
+             call("maxComponent", "out0.x = maxComponent(in0.xyz);"),
+             {Unit::exact, 0.0, "chooses"},
+             [](const Effort& effort) {
+                 return over(beyondColours(effort, 1), [](const Row& in) {
+                     return std::vector{right(oracle::maxComponent(xyz(in[0])))};
+                 });
+             }}};
 }
 
 std::vector<Right> luminanceOracle(const Row& in) {

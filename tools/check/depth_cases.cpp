@@ -162,7 +162,7 @@ std::vector<Row> depthSquares(const Effort& effort, bool withNaN) {
 // Of equals any may be chosen, so the depth at the offset is what is compared, and the one that comes with
 // it.
 const std::string depthAtOffset =
-    fillSquare + "float2 offset = closestFragment(d, out0.y);\n"
+    fillSquare + "float2 offset = closestFragment(d, float2(1.0, 1.0), out0.y);\n"
                  "float3 line3 = offset.y < -0.5 ? in0.xyz : offset.y > 0.5 ? in2.xyz : in1.xyz;\n"
                  "out0.x = offset.x < -0.5 ? line3.x : offset.x > 0.5 ? line3.z : line3.y;\n";
 
@@ -208,7 +208,7 @@ std::vector<Case> closestFragmentCases() {
              return Sweep{depthSquares(effort, false), copied};
          }},
         {"three depths, equals too",
-         {"closestInRow", {closest}, "out0.x = closestInRow(in0.x, in0.y, in0.z).x;", 3},
+         {"closestInRow", {closest}, "out0.x = closestInRow(in0.x, in0.y, in0.z, 1.0).x;", 3},
          {Unit::exact, 0.0, "comparisons and copies"},
          [](const Effort& effort) {
              return Sweep{depthSquares(effort, false), rowOracle};
@@ -216,7 +216,7 @@ std::vector<Case> closestFragmentCases() {
         closestOfNine(false),
         closestOfNine(true),
         {"one NaN: the offset",
-         {"closestFragment", {closest}, fillSquare + "out0.xy = closestFragment(d);", 3},
+         {"closestFragment", {closest}, fillSquare + "out0.xy = closestFragment(d, float2(1.0, 1.0));", 3},
          {Unit::finite, 0.0, "NaN compares as no closer"},
          [](const Effort& effort) {
              return Sweep{depthSquares(effort, true), [](const Row&) { return std::vector{open(2)}; }};
