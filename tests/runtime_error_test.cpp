@@ -2,6 +2,7 @@
 // Every way in which the runtime can be asked for what it cannot do ends in its code and a sentence.
 #include "runtime_frame_support.hpp"
 
+#include "device_functions.hpp"
 #include "frame_images.hpp"
 
 namespace {
@@ -274,6 +275,57 @@ TEST_F(ErrorTest, anArenaSaysWhenItIsFull) {
         EXPECT_TRUE(pass->record(commands, *arena, images, {}, parameters));
         expectError(pass->record(commands, *arena, images, {}, parameters), ErrorCode::outOfMemory, "arena");
     });
+}
+
+// Stands before the driver's allocation: which memory types were asked for, and which one is full.
+struct Allocations {
+    std::vector<uint32_t> types;
+    uint32_t full = ~0u, driversType = 0;
+    DeviceFunctions driver;
+} allocations;
+
+constexpr VkMemoryPropertyFlags hostWritten =
+    VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+
+// The device as one that has `types`, of which a buffer may take any. Behind each is the same type of the
+// driver's, which the host can write.
+Device withMemory(std::vector<VkMemoryPropertyFlags> types, uint32_t full = ~0u) {
+    Device device = testGpu().device();
+    uint32_t driversType = 0;
+    while ((device.memory.memoryTypes[driversType].propertyFlags & hostWritten) != hostWritten)
+        ++driversType;
+    allocations = {{}, full, driversType, *device.vk};
+    device.memory.memoryTypeCount = static_cast<uint32_t>(types.size());
+    for (size_t i = 0; i < types.size(); ++i)
+        device.memory.memoryTypes[i].propertyFlags = types[i];
+    DeviceFunctions vk = *device.vk;
+    vk.GetBufferMemoryRequirements = [](VkDevice handle, VkBuffer buffer, VkMemoryRequirements* out) {
+        allocations.driver.GetBufferMemoryRequirements(handle, buffer, out);
+        out->memoryTypeBits = ~0u;
+    };
+    vk.AllocateMemory = [](VkDevice handle, const VkMemoryAllocateInfo* info,
+                           const VkAllocationCallbacks* callbacks, VkDeviceMemory* out) {
+        allocations.types.push_back(info->memoryTypeIndex);
+        if (info->memoryTypeIndex == allocations.full) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+        VkMemoryAllocateInfo real = *info;
+        real.memoryTypeIndex = allocations.driversType;
+        return allocations.driver.AllocateMemory(handle, &real, callbacks, out);
+    };
+    device.vk = std::make_shared<const DeviceFunctions>(vk);
+    return device;
+}
+
+TEST_F(ErrorTest, parametersLieInTheDevicesMemoryWhereTheHostCanWriteIt) {
+    constexpr VkMemoryPropertyFlags local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, host = hostWritten;
+    using Types = std::vector<uint32_t>;
+    EXPECT_TRUE(FrameArena::create(withMemory({local, host, local | host}), 1, 1, 16));
+    EXPECT_EQ(allocations.types, Types{2});
+    EXPECT_TRUE(FrameArena::create(withMemory({local, host}), 1, 1, 16));
+    EXPECT_EQ(allocations.types, Types{1});
+    EXPECT_TRUE(FrameArena::create(withMemory({local, host, local | host}, 2), 1, 1, 16));
+    EXPECT_EQ(allocations.types, (Types{2, 1})) << "a small heap that others have filled";
+    expectError(FrameArena::create(withMemory({local}), 1, 1, 16), ErrorCode::outOfMemory,
+                "parameter buffer");
 }
 
 // Two images whose lives do not meet lie in one allocation, the third in another.

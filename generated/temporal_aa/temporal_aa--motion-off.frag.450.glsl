@@ -23,15 +23,15 @@ layout(location = 1) out vec4 gOutColour;
 void main()
 {
     vec2 _77 = gl_FragCoord.xy * parameters.gOutputSize.zw;
-    vec3 _91 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(-1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _96 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(0, -1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _101 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(1, -1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _106 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(-1, 0)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _111 = clamp(textureLod(gInColour, _77, 0.0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _116 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(1, 0)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _121 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(-1, 1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _126 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(0, 1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _131 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
+    vec3 _91 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(-1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _96 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(0, -1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _101 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(1, -1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _106 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(-1, 0)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _111 = clamp(textureLod(gInColour, _77, 0.0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _116 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(1, 0)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _121 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(-1, 1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _126 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(0, 1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _131 = clamp(textureLodOffset(gInColour, _77, 0.0, ivec2(1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
     float _136 = max(-parameters.gJitterPx.x, 0.0);
     float _138 = 1.0 - abs(parameters.gJitterPx.x);
     float _139 = max(parameters.gJitterPx.x, 0.0);
@@ -50,7 +50,7 @@ void main()
     vec3 _211 = intBitsToFloat(min(min(_172, _173), _175)) + intBitsToFloat(min(min(_172, floatBitsToInt(intBitsToFloat(min(min(_185, _186), _173)))), floatBitsToInt(intBitsToFloat(min(min(_190, _191), _175)))));
     vec3 _212 = intBitsToFloat(max(max(_181, _173), _175)) + intBitsToFloat(max(max(_181, floatBitsToInt(intBitsToFloat(max(max(_185, _186), _173)))), floatBitsToInt(intBitsToFloat(max(max(_190, _191), _175)))));
     vec3 _213 = _212 + _211;
-    vec3 _217 = (clamp(textureLod(gHistoryColour, _77, 0.0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0)) * 4.0) - _213;
+    vec3 _217 = (clamp(textureLod(gHistoryColour, _77, 0.0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0)) * 4.0) - _213;
     vec3 _220 = clamp(max(_212 - _211, vec3(6.1064972523006133542367024347186e-12)) / abs(_217), vec3(0.0), vec3(1.0));
     vec3 _241 = (_165 + ((((_213 + (_217 * min(_220.x, min(_220.y, _220.z)))) * 0.25) - _165) * (all(lessThanEqual(floatBitsToUint(_77), uvec2(1065353216u))) ? (parameters.gFeedbackMax * parameters.gHistoryValid) : 0.0))) * 65504.0;
     vec2 _255 = fma(gl_FragCoord.xy, parameters.gOutputSize.zw, parameters.gJitterPx * parameters.gOutputSize.zw);

@@ -49,15 +49,15 @@ void main()
     bool _139 = _136.x < _126.x;
     vec2 _141 = mix(_126, _136, bvec2(_139));
     vec2 _164 = fma(gl_FragCoord.xy, parameters.gOutputSize.zw, -(textureLod(gInVelocity, fma(gl_FragCoord.xy, parameters.gOutputSize.zw, mix(vec2(_116.y, 0.0), vec2(_141.y, _139 ? parameters.gOutputSize.w : (-parameters.gOutputSize.w)), bvec2(_141.x < _116.x))), 0.0).xy * parameters.gMotionToUv));
-    vec3 _178 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(-1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _183 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(0, -1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _188 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(1, -1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _193 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(-1, 0)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _198 = clamp(textureLod(gInColour, _73, 0.0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _203 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(1, 0)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _208 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(-1, 1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _213 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(0, 1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _218 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
+    vec3 _178 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(-1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _183 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(0, -1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _188 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(1, -1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _193 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(-1, 0)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _198 = clamp(textureLod(gInColour, _73, 0.0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _203 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(1, 0)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _208 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(-1, 1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _213 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(0, 1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _218 = clamp(textureLodOffset(gInColour, _73, 0.0, ivec2(1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
     float _223 = max(-parameters.gJitterPx.x, 0.0);
     float _225 = 1.0 - abs(parameters.gJitterPx.x);
     float _226 = max(parameters.gJitterPx.x, 0.0);
@@ -76,7 +76,7 @@ void main()
     vec3 _298 = intBitsToFloat(min(min(_259, _260), _262)) + intBitsToFloat(min(min(_259, floatBitsToInt(intBitsToFloat(min(min(_272, _273), _260)))), floatBitsToInt(intBitsToFloat(min(min(_277, _278), _262)))));
     vec3 _299 = intBitsToFloat(max(max(_268, _260), _262)) + intBitsToFloat(max(max(_268, floatBitsToInt(intBitsToFloat(max(max(_272, _273), _260)))), floatBitsToInt(intBitsToFloat(max(max(_277, _278), _262)))));
     vec3 _300 = _299 + _298;
-    vec3 _304 = (clamp(textureLod(gHistoryColour, _164, 0.0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0)) * 4.0) - _300;
+    vec3 _304 = (clamp(textureLod(gHistoryColour, _164, 0.0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0)) * 4.0) - _300;
     vec3 _307 = clamp(max(_299 - _298, vec3(6.1064972523006133542367024347186e-12)) / abs(_304), vec3(0.0), vec3(1.0));
     gOutHistory = vec4((_252 + ((((_300 + (_304 * min(_307.x, min(_307.y, _307.z)))) * 0.25) - _252) * (all(lessThanEqual(floatBitsToUint(_164), uvec2(1065353216u))) ? (parameters.gFeedbackMax * parameters.gHistoryValid) : 0.0))) * 65504.0, 1.0);
 }

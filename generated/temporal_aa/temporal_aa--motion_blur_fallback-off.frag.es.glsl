@@ -72,15 +72,15 @@ void main()
     vec2 _148 = vec2(_113.y, 0.0);
     bvec2 _149 = bvec2(_138.x < _113.x);
     vec2 _161 = gl_FragCoord.xy * parameters.gOutputSize.zw + (-(textureLod(gInVelocity, gl_FragCoord.xy * parameters.gOutputSize.zw + vec2(_149.x ? _146.x : _148.x, _149.y ? _146.y : _148.y), 0.0).xy * parameters.gMotionToUv));
-    vec3 _175 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(-1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _180 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(0, -1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _185 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(1, -1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _190 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(-1, 0)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _195 = clamp(textureLod(gInColour, _72, 0.0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _200 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(1, 0)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _205 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(-1, 1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _210 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(0, 1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _215 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(1)).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
+    vec3 _175 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(-1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _180 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(0, -1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _185 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(1, -1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _190 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(-1, 0)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _195 = clamp(textureLod(gInColour, _72, 0.0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _200 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(1, 0)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _205 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(-1, 1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _210 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(0, 1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _215 = clamp(textureLodOffset(gInColour, _72, 0.0, ivec2(1)).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
     float _220 = max(-parameters.gJitterPx.x, 0.0);
     float _222 = 1.0 - abs(parameters.gJitterPx.x);
     float _223 = max(parameters.gJitterPx.x, 0.0);
@@ -99,7 +99,7 @@ void main()
     vec3 _295 = intBitsToFloat(min(min(_256, _257), _259)) + intBitsToFloat(min(min(_256, floatBitsToInt(intBitsToFloat(min(min(_269, _270), _257)))), floatBitsToInt(intBitsToFloat(min(min(_274, _275), _259)))));
     vec3 _296 = intBitsToFloat(max(max(_265, _257), _259)) + intBitsToFloat(max(max(_265, floatBitsToInt(intBitsToFloat(max(max(_269, _270), _257)))), floatBitsToInt(intBitsToFloat(max(max(_274, _275), _259)))));
     vec3 _297 = _296 + _295;
-    vec3 _301 = (clamp(textureLod(gHistoryColour, _161, 0.0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0)) * 4.0) - _297;
+    vec3 _301 = (clamp(textureLod(gHistoryColour, _161, 0.0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0)) * 4.0) - _297;
     vec3 _304 = clamp(max(_296 - _295, vec3(6.1064972523006133542367024347186e-12)) / abs(_301), vec3(0.0), vec3(1.0));
     gOutHistory = vec4((_249 + ((((_297 + (_301 * min(_304.x, min(_304.y, _304.z)))) * 0.25) - _249) * (all(lessThanEqual(floatBitsToUint(_161), uvec2(1065353216u))) ? (parameters.gFeedbackMax * parameters.gHistoryValid) : 0.0))) * 65504.0, 1.0);
 }

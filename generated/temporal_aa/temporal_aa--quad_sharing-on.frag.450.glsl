@@ -62,11 +62,11 @@ void main()
     ivec2 _192 = min(_191, _189);
     ivec2 _195 = clamp(_191 + ivec2(_84), ivec2(0), _189);
     int _196 = _192.x;
-    vec3 _204 = clamp(texelFetch(gInColour, ivec3(_196, _192.y, 0).xy, 0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
+    vec3 _204 = clamp(texelFetch(gInColour, ivec3(_196, _192.y, 0).xy, 0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
     int _205 = _195.x;
-    vec3 _211 = clamp(texelFetch(gInColour, ivec3(_205, _192.y, 0).xy, 0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _218 = clamp(texelFetch(gInColour, ivec3(_196, _195.y, 0).xy, 0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _224 = clamp(texelFetch(gInColour, ivec3(_205, _195.y, 0).xy, 0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
+    vec3 _211 = clamp(texelFetch(gInColour, ivec3(_205, _192.y, 0).xy, 0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _218 = clamp(texelFetch(gInColour, ivec3(_196, _195.y, 0).xy, 0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _224 = clamp(texelFetch(gInColour, ivec3(_205, _195.y, 0).xy, 0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
     vec3 _227 = _204 - (dFdxFine(_204) * _92);
     vec3 _230 = _218 - (dFdxFine(_218) * _92);
     vec3 _233 = _204 - (dFdyFine(_204) * _97);
@@ -93,7 +93,7 @@ void main()
     vec3 _320 = intBitsToFloat(min(min(_281, _282), _284)) + intBitsToFloat(min(min(_281, floatBitsToInt(intBitsToFloat(min(min(_294, _295), _282)))), floatBitsToInt(intBitsToFloat(min(min(_299, _300), _284)))));
     vec3 _321 = intBitsToFloat(max(max(_290, _282), _284)) + intBitsToFloat(max(max(_290, floatBitsToInt(intBitsToFloat(max(max(_294, _295), _282)))), floatBitsToInt(intBitsToFloat(max(max(_299, _300), _284)))));
     vec3 _322 = _321 + _320;
-    vec3 _326 = (clamp(textureLod(gHistoryColour, _179, 0.0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0)) * 4.0) - _322;
+    vec3 _326 = (clamp(textureLod(gHistoryColour, _179, 0.0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0)) * 4.0) - _322;
     vec3 _329 = clamp(max(_321 - _320, vec3(6.1064972523006133542367024347186e-12)) / abs(_326), vec3(0.0), vec3(1.0));
     vec3 _350 = (_274 + ((((_322 + (_326 * min(_329.x, min(_329.y, _329.z)))) * 0.25) - _274) * (all(lessThanEqual(floatBitsToUint(_179), uvec2(1065353216u))) ? (parameters.gFeedbackMax * parameters.gHistoryValid) : 0.0))) * 65504.0;
     vec2 _365 = fma(gl_FragCoord.xy, parameters.gOutputSize.zw, parameters.gJitterPx * parameters.gOutputSize.zw);

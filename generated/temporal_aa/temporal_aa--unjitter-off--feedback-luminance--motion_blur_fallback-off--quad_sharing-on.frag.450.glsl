@@ -59,10 +59,10 @@ void main()
     ivec2 _186 = min(_185, _183);
     ivec2 _189 = clamp(_185 + ivec2(_78), ivec2(0), _183);
     int _190 = _186.x;
-    vec3 _198 = clamp(texelFetch(gInColour, ivec3(_190, _186.y, 0).xy, 0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
+    vec3 _198 = clamp(texelFetch(gInColour, ivec3(_190, _186.y, 0).xy, 0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
     int _199 = _189.x;
-    vec3 _205 = clamp(texelFetch(gInColour, ivec3(_199, _186.y, 0).xy, 0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
-    vec3 _212 = clamp(texelFetch(gInColour, ivec3(_190, _189.y, 0).xy, 0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0));
+    vec3 _205 = clamp(texelFetch(gInColour, ivec3(_199, _186.y, 0).xy, 0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
+    vec3 _212 = clamp(texelFetch(gInColour, ivec3(_190, _189.y, 0).xy, 0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0));
     vec3 _227 = _198 - (dFdyFine(_198) * _91);
     ivec3 _234 = floatBitsToInt(_198 - (dFdxFine(_198) * _86));
     ivec3 _235 = floatBitsToInt(_205);
@@ -74,11 +74,11 @@ void main()
     ivec3 _253 = floatBitsToInt(_227 - (dFdxFine(_227) * _86));
     ivec3 _254 = floatBitsToInt(_205 - (dFdyFine(_205) * _91));
     ivec3 _258 = floatBitsToInt(_212 - (dFdxFine(_212) * _86));
-    ivec3 _259 = floatBitsToInt(clamp(texelFetch(gInColour, ivec3(_199, _189.y, 0).xy, 0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0)));
+    ivec3 _259 = floatBitsToInt(clamp(texelFetch(gInColour, ivec3(_199, _189.y, 0).xy, 0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0)));
     vec3 _279 = intBitsToFloat(min(min(_240, _241), _243)) + intBitsToFloat(min(min(_240, floatBitsToInt(intBitsToFloat(min(min(_253, _254), _241)))), floatBitsToInt(intBitsToFloat(min(min(_258, _259), _243)))));
     vec3 _280 = intBitsToFloat(max(max(_249, _241), _243)) + intBitsToFloat(max(max(_249, floatBitsToInt(intBitsToFloat(max(max(_253, _254), _241)))), floatBitsToInt(intBitsToFloat(max(max(_258, _259), _243)))));
     vec3 _281 = _280 + _279;
-    vec3 _285 = (clamp(textureLod(gHistoryColour, _173, 0.0).xyz * 1.5266243281075730919837951660156e-05, vec3(0.0), vec3(1.0)) * 4.0) - _281;
+    vec3 _285 = (clamp(textureLod(gHistoryColour, _173, 0.0).xyz * 1.5266245100065134465694427490234e-05, vec3(0.0), vec3(1.0)) * 4.0) - _281;
     vec3 _288 = clamp(max(_280 - _279, vec3(6.1064972523006133542367024347186e-12)) / abs(_285), vec3(0.0), vec3(1.0));
     vec3 _296 = (_281 + (_285 * min(_288.x, min(_288.y, _288.z)))) * 0.25;
     float _297 = dot(_198, vec3(13926.150390625, 46848.4609375, 4729.388671875));

@@ -28,7 +28,7 @@ DepthSquare depthSquareOf(float3 up, float3 own, float3 down) {
     return d;
 }
 
-// Depth in x and offset in y of the closest in a row, which is 0 or step towards the right one; the centre
+// Depth in x and offset in y of the closest in a row: 0, or step towards the right one, or -step; the centre
 // wins against equals.
 float2 closestInRow(float left, float centre, float right, float step) {
     float2 side = isCloser(right, left) ? float2(right, step) : float2(left, -step);

@@ -13,14 +13,18 @@ float3 sanitize(float3 colour) {
     return min(positive, MAX_COLOUR);
 }
 
+// The binary32 above 1 / MAX_COLOUR: with it no binary16 comes back smaller, of which a store that cuts off
+// digits would make the next smaller one.
+static const float UNIT_PER_COLOUR = 1.52662451e-5;
+
 // The same repair in the range of saturate, which GPUs do at no cost: a share of MAX_COLOUR, NaN and negative
 // to 0, infinity and above to 1. saturate(NaN) is 0 in Direct3D; reprisec gives SPIR-V the clamp that says
 // so.
 float3 toUnitColour(float3 colour) {
-    return saturate(colour * (1.0 / MAX_COLOUR));
+    return saturate(colour * UNIT_PER_COLOUR);
 }
 
-// The inverse, of [0, 1]. There and back costs three roundings of binary32.
+// The inverse, of [0, 1] or a rounding above. There and back costs four roundings of binary32.
 float3 fromUnitColour(float3 unit) {
     return unit * MAX_COLOUR;
 }

@@ -33,7 +33,8 @@ float2 uvToPx(float2 uv, float2 extent) {
     return uv * extent;
 }
 
-// True inside the image, edges included; false for NaN and for -0, which no sum of a place and a step is.
+// True inside the image, edges included; false for NaN. -0 is outside, which no difference that cancels is;
+// under Direct3D 9 it is inside, as is what rounding takes onto an edge.
 bool isInsideUv(float2 uv) {
 #if PLATFORM_D3D9
     return all(abs(uv - 0.5) <= 0.5);

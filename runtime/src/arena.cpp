@@ -51,9 +51,13 @@ Result<void> makeBuffer(ArenaAccess::State& state, VkDeviceSize bytes) {
     if (!buffer) return buffer.error();
     VkMemoryRequirements requirements{};
     vk.GetBufferMemoryRequirements(device.borrowed.device, buffer->get(), &requirements);
-    auto memory = allocate(device, requirements,
-                           VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
-                           "allocate the parameter buffer");
+    // In the device's own memory where the host can write it: every pass begins by reading its parameters,
+    // and from the host's memory that takes a discrete GPU microseconds.
+    constexpr VkMemoryPropertyFlags written =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    const char* const what = "allocate the parameter buffer";
+    auto memory = allocate(device, requirements, written | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, what);
+    if (!memory) memory = allocate(device, requirements, written, what);
     if (!memory) return memory.error();
     VkResult result = vk.BindBufferMemory(device.borrowed.device, buffer->get(), memory->get(), 0);
     void* mapped = nullptr;

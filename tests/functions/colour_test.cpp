@@ -2,6 +2,8 @@
 #include "function_runner.hpp"
 #include "inputs.hpp"
 
+#include "harness.hpp"
+
 #include <gtest/gtest.h>
 
 namespace functions {
@@ -39,14 +41,14 @@ TEST(Colour, sanitizeByMaximumAloneIsCaught) {
     expectCaught(sanitizing(), {header, "colour.g > 0.0 ? colour.g : 0.0", "colour.g"});
 }
 
-// A product by a rounded constant: two roundings above the denormals.
+// A product by a constant that is off by up to a step: three roundings above the denormals.
 Comparison unitColours() {
     Comparison comparison = sanitizing();
     comparison.function.name = "toUnitColour";
     comparison.function.body = "out0.xyz = toUnitColour(in0.xyz);";
     comparison.oracle = [](const Row& in) {
         const dvec3 share = oracle::unitColour(xyz(in[0]));
-        return std::vector{near(share, 2.0 * roundoff * share + flush)};
+        return std::vector{near(share, 3.0 * roundoff * share + flush)};
     };
     return comparison;
 }
@@ -57,7 +59,7 @@ Comparison throughUnitColours() {
     comparison.function.body = "out0.xyz = fromUnitColour(toUnitColour(in0.xyz));";
     comparison.oracle = [](const Row& in) {
         const dvec3 colour = oracle::sanitize(xyz(in[0]));
-        return std::vector{near(colour, 3.0 * roundoff * colour + oracle::maxColour * flush)};
+        return std::vector{near(colour, 4.0 * roundoff * colour + oracle::maxColour * flush)};
     };
     return comparison;
 }
@@ -68,11 +70,27 @@ TEST(Colour, unitColoursAreRepairedAndComeBack) {
 }
 
 TEST(Colour, unitColourWithoutRepairOrOfAnotherRangeIsCaught) {
+    expectCaught(unitColours(), {header, "saturate(colour * UNIT_PER_COLOUR)", "(colour * UNIT_PER_COLOUR)"});
     expectCaught(unitColours(),
-                 {header, "saturate(colour * (1.0 / MAX_COLOUR))", "(colour * (1.0 / MAX_COLOUR))"});
-    expectCaught(unitColours(),
-                 {header, "saturate(colour * (1.0 / MAX_COLOUR))", "saturate(colour * (1.0 / 65536.0))"});
+                 {header, "saturate(colour * UNIT_PER_COLOUR)", "saturate(colour * (1.0 / 65536.0))"});
     expectCaught(throughUnitColours(), {header, "unit * MAX_COLOUR", "unit * 65536.0"});
+}
+
+// How many colours of binary16 come back smaller.
+size_t shrunk(const Mutation& mutation = {}) {
+    std::vector<Row> rows;
+    for (uint16_t bits = 0; bits <= 0x7bff; ++bits)
+        rows.push_back({vec4(harness::halfToFloat(bits))});
+    const auto out = run(throughUnitColours().function, rows, {.mutation = mutation});
+    size_t count = 0;
+    for (size_t i = 0; i < rows.size(); ++i)
+        count += out[i][0].x < rows[i][0].x;
+    return count;
+}
+
+TEST(Colour, noUnitColourComesBackSmaller) {
+    EXPECT_EQ(shrunk(), 0u);
+    EXPECT_GT(shrunk({header, "colour * UNIT_PER_COLOUR", "colour * (1.0 / MAX_COLOUR)"}), 0u);
 }
 
 Comparison luminances() {

@@ -31,29 +31,29 @@ std::vector<Right> throughUnit(const Row& in) {
 }
 
 std::vector<Case> repairs() {
-    return {{"any value, NaN and infinity too",
-             call("sanitize", "out0.xyz = sanitize(in0.xyz);"),
-             {Unit::exact, 0.0, "comparisons and copies"},
-             [](const Effort& effort) {
-                 return over(anyColours(effort),
-                             [](const Row& in) { return std::vector{right(oracle::sanitize(xyz(in[0])))}; });
-             }},
-            {"any value, NaN and infinity too",
-             call("toUnitColour", "out0.xyz = toUnitColour(in0.xyz);"),
-             {Unit::roundings, 2.0, "a product by a rounded constant"},
-             [](const Effort& effort) { return over(anyColours(effort), shareOf); }},
-            {"unit colours of any value, NaN and infinity too",
-             call("fromUnitColour", "out0.xyz = fromUnitColour(toUnitColour(in0.xyz));"),
-             {Unit::roundings, 3.0, "two products, one by a rounded constant"},
-             [](const Effort& effort) { return over(anyColours(effort), throughUnit); }},
-            {"to ±1e30",
-             call("maxComponent", "out0.x = maxComponent(in0.xyz);"),
-             {Unit::exact, 0.0, "chooses"},
-             [](const Effort& effort) {
-                 return over(beyondColours(effort, 1), [](const Row& in) {
-                     return std::vector{right(oracle::maxComponent(xyz(in[0])))};
-                 });
-             }}};
+    return {
+        {"any value, NaN and infinity too",
+         call("sanitize", "out0.xyz = sanitize(in0.xyz);"),
+         {Unit::exact, 0.0, "comparisons and copies"},
+         [](const Effort& effort) {
+             return over(anyColours(effort),
+                         [](const Row& in) { return std::vector{right(oracle::sanitize(xyz(in[0])))}; });
+         }},
+        {"any value, NaN and infinity too",
+         call("toUnitColour", "out0.xyz = toUnitColour(in0.xyz);"),
+         {Unit::roundings, 3.0, "a product by a constant up to a step above"},
+         [](const Effort& effort) { return over(anyColours(effort), shareOf); }},
+        {"unit colours of any value, NaN and infinity too",
+         call("fromUnitColour", "out0.xyz = fromUnitColour(toUnitColour(in0.xyz));"),
+         {Unit::roundings, 4.0, "two products, one by a constant up to a step above"},
+         [](const Effort& effort) { return over(anyColours(effort) + colours(effort, 12), throughUnit); }},
+        {"to ±1e30",
+         call("maxComponent", "out0.x = maxComponent(in0.xyz);"),
+         {Unit::exact, 0.0, "chooses"},
+         [](const Effort& effort) {
+             return over(beyondColours(effort, 1),
+                         [](const Row& in) { return std::vector{right(oracle::maxComponent(xyz(in[0])))}; });
+         }}};
 }
 
 std::vector<Right> luminanceOracle(const Row& in) {

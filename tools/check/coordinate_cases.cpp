@@ -123,13 +123,8 @@ std::vector<Right> productOracle(const Row& in) {
     return {{dvec4(value, 0.0, 0.0), dvec4(glm::abs(value), 0.0, 0.0), 2}};
 }
 
-// Within half a step of 1/2 outside of an edge, uv - 1/2 rounds onto it.
 std::vector<Right> insideOracle(const Row& in) {
-    const dvec2 uv = xy(in[0]);
-    for (int axis = 0; axis < 2; ++axis)
-        for (const double edge : {0.0, 1.0})
-            if (uv[axis] != edge && std::abs(uv[axis] - edge) <= 0x1p-25) return {open(1)};
-    return {right(oracle::isInsideUv(uv) ? 1.0 : 0.0)};
+    return {right(oracle::isInsideUv(xy(in[0])) ? 1.0 : 0.0)};
 }
 
 std::vector<Row> edges(const Effort& effort) {
@@ -199,8 +194,7 @@ std::vector<Case> coordinateCases() {
              }},
             {"1e-9 to 10 beside the edges, NaN, infinity",
              {"isInsideUv", {coordinates}, "out0.x = isInsideUv(in0.xy) ? 1.0 : 0.0;"},
-             {Unit::exact, 0.0,
-              "a decision; open within 2^-25 outside of an edge, where uv - 1/2 rounds onto it"},
+             {Unit::exact, 0.0, "a decision"},
              [](const Effort& effort) {
                  return Sweep{edges(effort), insideOracle};
              }}};

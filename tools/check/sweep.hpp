@@ -32,7 +32,7 @@ inline std::vector<float> logarithmic(double low, double high, size_t count) {
     return values;
 }
 
-inline std::vector<float> operator+(std::vector<float> a, const std::vector<float>& b) {
+template <class T> std::vector<T> operator+(std::vector<T> a, const std::vector<T>& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
 }

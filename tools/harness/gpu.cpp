@@ -105,10 +105,6 @@ std::string Gpu::name() const {
 std::string Gpu::driver() const {
     return state_->vulkan->driver;
 }
-uint64_t Gpu::submissions() const {
-    return state_->submissions;
-}
-
 std::string Gpu::type() const {
     switch (state_->vulkan->properties.deviceType) {
     case VK_PHYSICAL_DEVICE_TYPE_CPU:
@@ -129,6 +125,25 @@ std::vector<std::string> Gpu::takeValidationMessages() {
     return std::exchange(state_->vulkan->messages, {});
 }
 
+reprise::FrameArena& Gpu::arena() {
+    constexpr uint32_t firstRecords = 64, parameterBytes = 1024; // of a pass; the pack's largest has 896
+    State& state = *state_;
+    if (state.recordsLeft == 0) {
+        const uint32_t records = firstRecords << state.arenasBegun;
+        if (state.arenasBegun == state.arenas.size()) {
+            auto made = reprise::FrameArena::create(state.device, 1, records, records * parameterBytes);
+            if (!made) throw std::runtime_error(made.error().message);
+            state.arenas.push_back(std::move(*made));
+        }
+        if (auto begun = state.arenas[state.arenasBegun].begin(0); !begun)
+            throw std::runtime_error(begun.error().message);
+        state.recordsLeft = records;
+        ++state.arenasBegun;
+    }
+    --state.recordsLeft;
+    return state.arenas[state.arenasBegun - 1];
+}
+
 void Gpu::run(const std::function<void(VkCommandBuffer)>& record) {
     State& state = *state_;
     const VkDevice device = state.vulkan->device;
@@ -146,7 +161,8 @@ void Gpu::run(const std::function<void(VkCommandBuffer)>& record) {
     check(vkQueueSubmit2(state.vulkan->queue, 1, &submit, state.fence), "submit work");
     check(vkWaitForFences(device, 1, &state.fence, VK_TRUE, UINT64_MAX), "finish the work");
     check(vkResetFences(device, 1, &state.fence), "reset a fence");
-    ++state.submissions;
+    state.arenasBegun = 0;
+    state.recordsLeft = 0;
 }
 
 std::vector<double> Gpu::time(std::span<const std::function<void(VkCommandBuffer)>> sections) {

@@ -16,7 +16,10 @@ struct Gpu::State {
     VkCommandPool pool = VK_NULL_HANDLE;
     VkCommandBuffer commands = VK_NULL_HANDLE;
     VkFence fence = VK_NULL_HANDLE;
-    uint64_t submissions = 0;
+    // Of doubling size, for a submission may record any number of passes.
+    std::vector<reprise::FrameArena> arenas;
+    uint32_t arenasBegun = 0; // in the submission that is being recorded
+    uint32_t recordsLeft = 0; // in the last of these
 };
 
 } // namespace harness

@@ -73,8 +73,9 @@ public:
     // Records, submits and waits.
     void run(const std::function<void(VkCommandBuffer)>& record);
 
-    // How many of them there have been.
-    uint64_t submissions() const;
+    // With room for one more pass in the submission that is being recorded, or the next. All passes share it,
+    // as those of an engine's frame do. Valid until the next call.
+    reprise::FrameArena& arena();
 
     // GPU time in milliseconds of each section, one submission; sections[i] is called between two timestamps
     // with full barriers around them, so that nothing overlaps.
@@ -112,7 +113,6 @@ public:
 
 private:
     struct State;
-    reprise::FrameArena& arena(); // with room for one more record in this submission
     std::shared_ptr<State> state_;
 };
 

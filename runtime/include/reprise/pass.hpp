@@ -12,7 +12,8 @@
 
 namespace reprise {
 
-// Descriptors and parameter memory for the passes recorded in one frame slot. Not thread safe.
+// Descriptors and parameter memory for the passes recorded in one frame slot. The memory is the device's own
+// where the host can write that, else the host's. Not thread safe.
 class FrameArena {
 public:
     // slots: frames in flight. passes: most of them in one frame. parameterBytes: their parameters, summed.
