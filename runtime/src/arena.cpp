@@ -52,7 +52,7 @@ Result<void> makeBuffer(ArenaAccess::State& state, VkDeviceSize bytes) {
     VkMemoryRequirements requirements{};
     vk.GetBufferMemoryRequirements(device.borrowed.device, buffer->get(), &requirements);
     // In the device's own memory where the host can write it: every pass begins by reading its parameters,
-    // and from the host's memory that takes a discrete GPU microseconds.
+    // and from the host's memory that takes an H200 about a microsecond longer.
     constexpr VkMemoryPropertyFlags written =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     const char* const what = "allocate the parameter buffer";

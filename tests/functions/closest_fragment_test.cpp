@@ -33,6 +33,13 @@ std::map<std::string, int> reversedIs(bool reversed) {
     return {{"DEPTH_REVERSED", reversed}};
 }
 
+// The step along x and y, different and of both signs.
+const dvec2 step(0.25, -2.0);
+
+glm::ivec2 texelsOf(const Row& out) {
+    return glm::ivec2(xy(out[0]) / step);
+}
+
 // Nine different depths: which one is closest is no question. Its depth comes with its offset.
 Comparison closest(bool reversed) {
     Random random(1);
@@ -47,7 +54,7 @@ Comparison closest(bool reversed) {
     }
     return {{"closestFragment",
              {header},
-             fillDepths + "out0.xy = closestFragment(d, float2(1.0, 1.0), out0.z);",
+             fillDepths + "out0.xy = closestFragment(d, float2(0.25, -2.0), out0.z);",
              3,
              1,
              reversedIs(reversed)},
@@ -56,7 +63,7 @@ Comparison closest(bool reversed) {
                 const oracle::DepthSquare square = depthsOf(in);
                 const glm::ivec2 offset = oracle::closestFragment(square, reversed);
                 const double depth = square[static_cast<size_t>((offset.y + 1) * 3 + offset.x + 1)];
-                return std::vector{near(dvec3(offset, depth), 0.0)};
+                return std::vector{near(dvec3(dvec2(offset) * step, depth), 0.0)};
             }};
 }
 
@@ -68,6 +75,10 @@ TEST(ClosestFragment, offsetLeadsToTheClosestOfNine) {
 TEST(ClosestFragment, wrongOffsetsOrAForgottenRowAreCaught) {
     expectCaught(closest(false), {header, "float outerY = isCloser(down.x, up.x) ? step.y : -step.y;",
                                   "float outerY = isCloser(down.x, up.x) ? -step.y : step.y;"});
+    expectCaught(closest(false), {header, "float outerY = isCloser(down.x, up.x) ? step.y : -step.y;",
+                                  "float outerY = isCloser(down.x, up.x) ? step.x : -step.x;"});
+    expectCaught(closest(false), {header, "float2(right, step) : float2(left, -step)",
+                                  "float2(right, 1.0) : float2(left, -1.0)"});
     expectCaught(closest(false), {header, "closestInRow(d.leftUp, d.up, d.rightUp, step.x)",
                                   "closestInRow(d.leftUp, d.up, d.leftUp, step.x)"});
     expectCaught(closest(false),
@@ -94,7 +105,7 @@ std::string wrongTies(bool reversed, const Mutation& mutation = {}) {
     const auto out = run(closest(reversed).function, rows, {.mutation = mutation});
     for (size_t i = 0; i < rows.size(); ++i) {
         const oracle::DepthSquare square = depthsOf(rows[i]);
-        const glm::ivec2 offset(xy(out[i][0])), best = oracle::closestFragment(square, reversed);
+        const glm::ivec2 offset = texelsOf(out[i]), best = oracle::closestFragment(square, reversed);
         const auto depthAt = [&](glm::ivec2 o) {
             return square[static_cast<size_t>((o.y + 1) * 3 + o.x + 1)];
         };
@@ -122,7 +133,7 @@ TEST(ClosestFragment, nanNeverWinsOverTheCentre) {
         const auto out = run(closest(reversed).function, rows);
         for (size_t i = 0; i < rows.size(); ++i) {
             const oracle::DepthSquare square = depthsOf(rows[i]);
-            const glm::ivec2 offset(xy(out[i][0]));
+            const glm::ivec2 offset = texelsOf(out[i]);
             const double chosen = square[static_cast<size_t>((offset.y + 1) * 3 + offset.x + 1)];
             if (std::isnan(square[4]))
                 EXPECT_EQ(offset, glm::ivec2(0)) << "row " << i;

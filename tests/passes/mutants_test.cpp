@@ -217,6 +217,12 @@ const std::vector<Mutant>& temporalAaMutants() {
          "return colour;",
          fragment,
          {{"HDR_WEIGHT", "on"}}},
+        {"chromaBeyondTheRange",
+         "passes/temporal_aa.hlsl",
+         "saturate(ycocgToRgb(colour))",
+         "max(ycocgToRgb(colour), 0.0)",
+         fragment,
+         {{"COLOUR_SPACE", "ycocg"}}},
         {"repairMissing",
          "reprise/colour.hlsli",
          "return saturate(colour * UNIT_PER_COLOUR);",
@@ -347,7 +353,7 @@ std::vector<TemporalAaFrame> framesForMutants() {
     ndc.parameters.gMotionToUv[0] = 0.5f;
     ndc.parameters.gMotionToUv[1] = -0.5f;
     first.parameters.gHistoryValid = 0.0f;
-    return {plain, ndc, first};
+    return {plain, ndc, first, randomFrame(39, 37, 33, Contrast::saturated)};
 }
 
 bool isColour(const std::vector<Pixels>& outputs) {

@@ -14,6 +14,7 @@ enum Stream : uint64_t { colourStream = 1, kindStream, motionStream, depthStream
 float randomColour(uint64_t seed, int x, int y, uint64_t channel, Contrast contrast) {
     const double u = unitHash(seed, static_cast<uint64_t>(x), static_cast<uint64_t>(y), channel);
     if (contrast == Contrast::moderate) return static_cast<float>(std::exp2(-6.0 + 10.0 * u));
+    if (contrast == Contrast::saturated) return u < 0.5 ? 0.0f : 65504.0f;
     if (u < 0.1) return 0.0f;
     return u > 0.98 ? 65504.0f : static_cast<float>(std::exp2(-10.0 + 25.9 * (u - 0.1) / 0.88));
 }

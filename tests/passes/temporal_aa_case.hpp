@@ -15,7 +15,8 @@ struct TemporalAaFrame {
     int height() const { return colour.height; }
 };
 
-enum class Contrast { moderate, extreme }; // 2^-6 to 2^4, or 0 and 2^-10 to 65504
+// Channels of 2^-6 to 2^4, of 0 and 2^-10 to 65504, or of 0 and 65504 alone.
+enum class Contrast { moderate, extreme, saturated };
 
 // Every pixel has its own colour, motion (none, below a pixel, several pixels, out of the image) and depth;
 // no two depths of a 4x4 block are equal, so that the closest fragment is one.

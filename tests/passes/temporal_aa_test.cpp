@@ -49,6 +49,7 @@ TEST_P(TemporalAa, randomCombinationsOfSwitchesEqualTheOracle) {
         Pass pass(variant, GetParam(), float32Outputs(variant));
         expectOracle(pass, GetParam(), randomFrame(64, 64, 2));
         expectOracle(pass, GetParam(), randomFrame(7, 5, 3, Contrast::extreme));
+        expectOracle(pass, GetParam(), randomFrame(39, 37, 6, Contrast::saturated));
     }
 }
 

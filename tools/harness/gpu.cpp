@@ -105,6 +105,7 @@ std::string Gpu::name() const {
 std::string Gpu::driver() const {
     return state_->vulkan->driver;
 }
+
 std::string Gpu::type() const {
     switch (state_->vulkan->properties.deviceType) {
     case VK_PHYSICAL_DEVICE_TYPE_CPU:
