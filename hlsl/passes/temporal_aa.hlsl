@@ -289,10 +289,12 @@ void readColourRows(float2 firstUv, float2 side, out ColourRow rows[ROWS]) {
     if (SUBGROUP_ROW_WIDTH < 2u * ROWS) moreEnds = readEnd(firstUv, column + SUBGROUP_ROW_WIDTH);
     [unroll] for (uint y = 0; y < ROWS; ++y)
         rows[y].centre = readColour(firstUv + float2(0.0, (float(y) - 1.0) * gOutputSize.w));
+    // The first invocation hands the right end of a row to the last, which hands it the left one.
+    uint endLane = laneInRow(column == 0u ? 1u : 0u);
     [unroll] for (uint row = 0; row < ROWS; ++row) {
-        uint index = 2u * row + (column == 0u ? 0u : 1u);
-        float3 end = 2u * row < SUBGROUP_ROW_WIDTH ? valueInRow(ends, index)
-                                                   : valueInRow(moreEnds, index - SUBGROUP_ROW_WIDTH);
+        uint lane = endLane + 2u * row;
+        float3 end = 2u * row < SUBGROUP_ROW_WIDTH ? WaveReadLaneAt(ends, lane)
+                                                   : WaveReadLaneAt(moreEnds, lane - SUBGROUP_ROW_WIDTH);
         rows[row].left = quadSwapX(rows[row].centre, side);
         rows[row].right = outerNeighbour(rows[row].centre, end);
     }

@@ -30,18 +30,22 @@ uint subgroupColumn() {
     return WaveGetLaneIndex() & (SUBGROUP_ROW_WIDTH - 1u);
 }
 
-// The value of the row's invocation `column`.
-float3 valueInRow(float3 value, uint column) {
-    return WaveReadLaneAt(value, WaveGetLaneIndex() - subgroupColumn() + column);
+// The row's invocation `column`, as WaveReadLaneAt() counts them.
+uint laneInRow(uint column) {
+    return WaveGetLaneIndex() - subgroupColumn() + column;
 }
 
-// The value of the neighbour on the outer side; quadSwapX() has the one on the inner side. In the first and
-// in the last invocation it is `end`: what lies beyond the row.
+// The value of the row's invocation `column`.
+float3 valueInRow(float3 value, uint column) {
+    return WaveReadLaneAt(value, laneInRow(column));
+}
+
+// The value of the neighbour on the outer side; quadSwapX() has the one on the inner side. The first and the
+// last invocation, which have none in the row, get each other's `end`; nobody else reads what those two give.
 float3 outerNeighbour(float3 value, float3 end) {
     uint column = subgroupColumn(), last = SUBGROUP_ROW_WIDTH - 1u;
     uint outerColumn = (column & 1u) != 0u ? column + 1u : column - 1u;
-    float3 outer = valueInRow(value, outerColumn & last);
-    return column == 0u || column == last ? end : outer;
+    return valueInRow(column == 0u || column == last ? end : value, outerColumn & last);
 }
 
 // The value of the invocation half a row away.

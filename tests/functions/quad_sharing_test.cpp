@@ -128,7 +128,8 @@ std::string wrongRows(const Mutation& mutation = {}) {
     for (size_t i = 0; i < rows.size(); ++i) {
         const size_t first = i / width * width;
         const bool isEnd = i == first || i == first + width - 1;
-        const vec4 outer = isEnd ? rows[i][1] : rows[i % 2 == 0 ? i - 1 : i + 1][0];
+        // The first and the last have each other's end.
+        const vec4 outer = isEnd ? rows[2 * first + width - 1 - i][1] : rows[i % 2 == 0 ? i - 1 : i + 1][0];
         const vec4 half = rows[i ^ (width / 2)][0];
         for (int c = 0; c < 3; ++c)
             if (out[i][0][c] != outer[c] || out[i][1][c] != half[c])
@@ -146,6 +147,7 @@ TEST(QuadSharing, rowsThatMixTheirSidesOrEndsAreCaught) {
     EXPECT_NE(wrongRows({header, "? column + 1u : column - 1u", "? column - 1u : column + 1u"}), "");
     EXPECT_NE(wrongRows({header, "column == 0u || column == last", "column == 0u"}), "");
     EXPECT_NE(wrongRows({header, "column == 0u || column == last", "column == last"}), "");
+    EXPECT_NE(wrongRows({header, "outerColumn & last", "min(outerColumn, last)"}), "");
     EXPECT_NE(wrongRows({header, "SUBGROUP_ROW_WIDTH / 2u", "1u"}), "");
 }
 

@@ -395,7 +395,10 @@ Case sharedInRow(const std::string& function, const std::string& value) {
         {function,
          {quadSharing},
          "uint column = subgroupColumn(), other = column ^ 1u;"
-         "uint second = ((column & 1u) != 0u ? column + 2u : column - 2u) & (SUBGROUP_ROW_WIDTH - 1u);"
+         "uint last = SUBGROUP_ROW_WIDTH - 1u;"
+         "uint second = ((column & 1u) != 0u ? column + 2u : column - 2u) & last;"
+         "float3 given = valueInRow(in0.xyz, second), none = float3(0.0, 0.0, 0.0);"
+         "bool isEnd = column == 0u || column == last;"
          "out0.xyz = " +
              value + ";",
          3,
@@ -408,9 +411,9 @@ Case sharedInRow(const std::string& function, const std::string& value) {
 
 std::vector<Case> sharedInRows() {
     return {sharedInRow("subgroupColumn", "WaveReadLaneAt(in0.xyz, WaveGetLaneIndex() - column + other)"),
+            sharedInRow("laneInRow", "WaveReadLaneAt(in0.xyz, laneInRow(other))"),
             sharedInRow("valueInRow", "valueInRow(in0.xyz, other)"),
-            sharedInRow("outerNeighbour",
-                        "outerNeighbour(valueInRow(in0.xyz, second), valueInRow(in0.xyz, other))"),
+            sharedInRow("outerNeighbour", "outerNeighbour(isEnd ? none : given, isEnd ? given : none)"),
             sharedInRow("halfRowSwap", "halfRowSwap(halfRowSwap(valueInRow(in0.xyz, other)))")};
 }
 
