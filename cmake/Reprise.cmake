@@ -5,8 +5,10 @@
 # Compiles the modules that the plan of a scene can ask for, and no others, into DIRECTORY (by default TARGET
 # in the current binary directory): PASS/VARIANT.STAGE.spv and so on, as spirvFromDirectory reads them.
 # needs.toml has the fields of SceneNeeds under [needs], those of Settings under [settings] and those of
-# CacheSettings under [settings.cache]; see reprise/plan.hpp. TARGETS is what must exist; spirv by default. A target that cannot be expressed stops the
-# build with the reason. DEFINES sets platform switches of the table, 0 otherwise. The target's property REPRISE_PACK_DIRECTORY holds the directory.
+# CacheSettings under [settings.cache]; see reprise/plan.hpp. TARGETS is what must exist; spirv by default. A
+# target that cannot be expressed stops the build with the reason; but compute modules with quad operations,
+# which GLSL has not, are made as SPIR-V and JSON alone: those without are beside them. DEFINES sets platform
+# switches of the table, 0 otherwise. The target's property REPRISE_PACK_DIRECTORY holds the directory.
 #
 # With an installed Reprise each module has a command of its own, so that touching one header compiles again
 # only what includes it. Inside Reprise's own build the compiler does not exist yet when CMake runs: there one
@@ -63,8 +65,10 @@ function(_reprise_command_per_module target scene directory targets outputs)
         list(GET words 0 variant)
         list(GET words 1 stage)
         list(GET words 2 path)
+        list(GET words 3 kind)
         list(APPEND modules "${variant} ${stage}")
         list(APPEND "files_of_${variant}_${stage}" "${directory}/${path}")
+        list(APPEND "kinds_of_${variant}_${stage}" "${kind}")
     endforeach()
     list(REMOVE_DUPLICATES modules)
     set(all)
@@ -77,7 +81,7 @@ function(_reprise_command_per_module target scene directory targets outputs)
         add_custom_command(
             OUTPUT ${files}
             COMMAND Reprise::reprisec --pack "${pack}" --out "${directory}" --variant "${variant}"
-                    --stage "${stage}" --targets ${targets} ${defines} --jobs 1 --depfile "${first}.d"
+                    --stage "${stage}" --targets ${kinds_of_${variant}_${stage}} ${defines} --jobs 1 --depfile "${first}.d"
             DEPENDS Reprise::reprisec
             DEPFILE "${first}.d"
             COMMENT "Compiling ${variant} (${stage})"

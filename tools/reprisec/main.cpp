@@ -42,21 +42,24 @@ void addOptions(CLI::App& app, Arguments& arguments) {
     app.add_option("--depfile", arguments.depfile, "Write the files read, as a makefile rule");
     app.add_option("--stamp", arguments.stamp, "Write an empty file at the end; the depfile's target");
     app.add_flag("--list-outputs", arguments.listOutputs,
-                 "Compile nothing; print VARIANT STAGE PATH for each module, for a build system");
+                 "Compile nothing; print VARIANT STAGE PATH TARGET for each file, for a build system");
     app.add_option("--define", arguments.defines,
                    "Set a platform switch of the table, e.g. NDC_AND_UV_SHARE_Y=1; repeatable");
     app.add_option("--jobs", arguments.jobs, "Threads")->check(CLI::Range(1u, 1024u))->capture_default_str();
     app.add_flag("--check", arguments.check, "Write nothing; fail if the output directory is not up to date");
 }
 
+constexpr std::pair<std::string_view, Target> targetNames[] = {{"spirv", Target::spirv},
+                                                               {"glsl450", Target::glsl450},
+                                                               {"glsles", Target::glslEs},
+                                                               {"json", Target::json}};
+
 std::set<Target> targetsOf(const Arguments& arguments) {
-    if (arguments.targets.empty()) return {Target::spirv, Target::glsl450, Target::glslEs, Target::json};
     std::set<Target> targets;
-    for (const std::string& name : arguments.targets)
-        targets.insert(name == "spirv"     ? Target::spirv
-                       : name == "glsl450" ? Target::glsl450
-                       : name == "glsles"  ? Target::glslEs
-                                           : Target::json);
+    for (const auto& [name, target] : targetNames)
+        if (arguments.targets.empty() ||
+            std::ranges::find(arguments.targets, name) != arguments.targets.end())
+            targets.insert(target);
     return targets;
 }
 
@@ -204,10 +207,13 @@ int run(const Arguments& arguments) {
     auto jobs = wantedJobs(pack, arguments);
     if (!jobs) return fail(jobs.error().message);
     if (!arguments.listOutputs) return compileAndWrite(arguments, pack, *jobs);
-    for (const Job& job : *jobs)
-        for (Target target : targetsOf(arguments))
-            fmt::print("{} {} {}\n", reprise::variantName(job.variant), stageWord(job.stage),
-                       outputPath(job, target).generic_string());
+    for (const Job& job : *jobs) {
+        const auto asked = targetsOf(job, targetsOf(arguments));
+        for (const auto& [name, target] : targetNames)
+            if (asked.contains(target))
+                fmt::print("{} {} {} {}\n", reprise::variantName(job.variant), stageWord(job.stage),
+                           outputPath(job, target).generic_string(), name);
+    }
     return 0;
 }
 

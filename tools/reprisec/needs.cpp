@@ -190,8 +190,8 @@ Result<void> readScene(const fs::path& file, Scene& scene) {
     return {};
 }
 
-void add(std::vector<Job>& jobs, const Variant& variant, Stage stage) {
-    const Job job{reprise::forStage(variant, stage), stage};
+void add(std::vector<Job>& jobs, const Variant& variant, Stage stage, bool vulkanAlone) {
+    const Job job{reprise::forStage(variant, stage), stage, vulkanAlone};
     const auto same = [&](const Job& each) {
         return outputPath(each, Target::spirv) == outputPath(job, Target::spirv);
     };
@@ -199,20 +199,21 @@ void add(std::vector<Job>& jobs, const Variant& variant, Stage stage) {
 }
 
 Result<void> addPlan(std::vector<Job>& jobs, const Pack& pack, const Scene& scene) {
+    const bool vulkanAlone = scene.settings.quadOperations;
     // Which modules there are does not depend on the extent.
     auto plan =
         reprise::plan(pack.passes(), pack.presets("temporal_aa"), scene.needs, scene.settings, {64, 64});
     if (!plan) return plan.error();
     for (const reprise::PlannedPass& planned : plan->passes) {
         const auto& stages = planned.variant.pass->stages;
-        add(jobs, planned.variant, planned.stage);
+        add(jobs, planned.variant, planned.stage, vulkanAlone);
         if (planned.stage != Stage::fragment) continue;
         if (std::ranges::find(stages, Stage::vertex) != stages.end()) {
-            add(jobs, planned.variant, Stage::vertex);
+            add(jobs, planned.variant, Stage::vertex, vulkanAlone);
         } else {
             auto triangle = reprise::makeVariant(pack.passes(), "fullscreen");
             if (!triangle) return triangle.error();
-            add(jobs, *triangle, Stage::vertex);
+            add(jobs, *triangle, Stage::vertex, vulkanAlone);
         }
     }
     return {};
@@ -224,8 +225,8 @@ Result<std::vector<Job>> jobsForNeeds(const Pack& pack, const fs::path& needsTom
     Scene scene;
     if (auto read = readScene(needsToml, scene); !read) return read.error();
     std::vector<Job> jobs;
-    // What the plan asks of a device with quad operations, and of one without.
-    for (const bool quadOperations : {true, false}) {
+    // What the plan asks of a device without quad operations, and what more of one with them.
+    for (const bool quadOperations : {false, true}) {
         scene.settings.quadOperations = quadOperations;
         if (auto added = addPlan(jobs, pack, scene); !added)
             return Error{added.error().code, needsToml.string() + ":1: " + added.error().message};

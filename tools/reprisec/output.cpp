@@ -130,6 +130,12 @@ Result<std::vector<Product>> compileAll(const Pack& pack, const std::vector<Job>
     return products;
 }
 
+std::set<Target> targetsOf(const Job& job, std::set<Target> targets) {
+    if (job.vulkanAlone)
+        std::erase_if(targets, [](Target each) { return each == Target::glsl450 || each == Target::glslEs; });
+    return targets;
+}
+
 Files filesOf(const Pack& pack, const std::vector<Product>& products, const std::set<Target>& targets) {
     Files files;
     const fs::path root = pack.file().parent_path();
@@ -205,8 +211,9 @@ std::vector<std::string> missingTargets(const std::vector<Product>& products,
                                         const std::set<Target>& targets) {
     std::vector<std::string> missing;
     for (const auto& [job, compiled] : products) {
+        const auto asked = targetsOf(job, targets);
         const auto note = [&](Target target, const std::string& reason) {
-            if (targets.contains(target) && !reason.empty())
+            if (asked.contains(target) && !reason.empty())
                 missing.push_back("there is no " + outputPath(job, target).string() + ": " + reason);
         };
         note(Target::glsl450, compiled.glsl450 ? "" : compiled.glsl450Reason);

@@ -9,6 +9,7 @@ namespace reprisec {
 struct Job {
     Variant variant; // as forStage gives it
     Stage stage;
+    bool vulkanAlone = false; // the same without quad operations is there too: no GLSL is asked of this one
 };
 
 struct Product {
@@ -27,6 +28,8 @@ std::vector<Job> jobsOf(const Variant& variant, std::optional<Stage> stage);
 // needs.cpp: the modules that the plan of a scene uses.
 Result<std::vector<Job>> jobsForNeeds(const Pack& pack, const fs::path& needsToml);
 fs::path outputPath(const Job& job, Target target);
+// Of `targets`, those that are asked of a module.
+std::set<Target> targetsOf(const Job& job, std::set<Target> targets);
 
 // `progress` is called from one thread at a time with the number done. All errors come back, one a line.
 Result<std::vector<Product>> compileAll(const Pack& pack, const std::vector<Job>& jobs,

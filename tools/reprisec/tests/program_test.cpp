@@ -135,9 +135,10 @@ TEST_F(Program, wrongArgumentsEndWithASentence) {
 // are asked for.
 class Needs : public Program {
 protected:
-    Outcome listed(const std::string& needs) const {
+    Outcome listed(const std::string& needs, const std::string& targets = "spirv") const {
         writeText(folder / "needs.toml", needs);
-        return run("--needs " + (folder / "needs.toml").string() + " --targets spirv --list-outputs");
+        return run("--needs " + (folder / "needs.toml").string() + " --targets " + targets +
+                   " --list-outputs");
     }
 };
 
@@ -158,6 +159,30 @@ TEST_F(Needs, selectTheModulesOfTheScenesPlan) {
     EXPECT_EQ(wrong.code, 1);
     EXPECT_NE(wrong.text.find("needs.toml:2: there is no need \"objectMoves\""), std::string::npos)
         << wrong.text;
+}
+
+// GLSL has no quad operations: the module that has them is for Vulkan alone, the one without for both.
+TEST_F(Needs, askNoGlslOfQuadOperations) {
+    const Outcome best = listed("[settings]\nstage = \"compute\"\npreset = \"best\"\n", "spirv glsl450 json");
+    const auto has = [&](const std::string& ending, bool quads) {
+        std::istringstream lines(best.text);
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with("temporal_aa--") && line.ends_with(ending) &&
+                (line.find("quad_sharing-on") != std::string::npos) == quads)
+                return true;
+        return false;
+    };
+    for (const char* ending : {" spirv", " json"})
+        EXPECT_TRUE(has(ending, true) && has(ending, false)) << ending << "\n" << best.text;
+    EXPECT_TRUE(has(" glsl450", false)) << best.text;
+    EXPECT_FALSE(has(" glsl450", true)) << best.text;
+    const Outcome made = run("--needs " + (folder / "needs.toml").string() +
+                             " --targets spirv glsl450 --out " + (folder / "out").string());
+    EXPECT_EQ(made.code, 0) << made.text;
+    const Outcome named =
+        run("--variant temporal_aa--quad_sharing-on --stage compute --targets glsl450 --out " +
+            (folder / "out").string());
+    EXPECT_EQ(named.code, 1) << "asked for by name it must exist";
 }
 
 // Each field changes the list of modules, or takes effect without changing it where another one says so.
