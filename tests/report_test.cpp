@@ -13,6 +13,7 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -600,16 +601,24 @@ TEST(PlanCommand, savesWhatThePageSays) {
     expectRow("`--static-camera --static-objects --no-hdr`", planned(still));
 }
 
-std::string printedPlan(const std::string& options) {
-    const std::string command = std::string(REPRISE_PROGRAM) + " plan --size 64x64 " + options + " 2>&1";
+struct Printed {
+    int status; // 0 where the program ended well
+    std::string text;
+};
+
+Printed printed(const std::string& arguments) {
+    const std::string command = std::string(REPRISE_PROGRAM) + " " + arguments + " 2>&1";
     FILE* pipe = popen(command.c_str(), "r");
-    if (!pipe) return "popen failed";
+    if (!pipe) return {-1, "popen failed"};
     std::string text;
     char buffer[4096];
     for (size_t got = 0; (got = fread(buffer, 1, sizeof buffer, pipe)) > 0;)
         text.append(buffer, got);
-    pclose(pipe);
-    return text;
+    return {pclose(pipe), text};
+}
+
+std::string printedPlan(const std::string& options) {
+    return printed("plan --size 64x64 " + options).text;
 }
 
 // Each option, with what it alone brings into the plan, or out of it.
@@ -671,6 +680,50 @@ TEST(ParallelFor, doesAllAndThrowsTheFirstFailure) {
                   });
               }));
     parallelFor(0, [](size_t) { FAIL(); });
+}
+
+// The whole command, on a file: small, so that many sections have all the turns of a round in one submission.
+TEST(ReportCommand, measuresEveryTechniqueInBothFormsOnAFile) {
+    const TemporaryFolder folder;
+    const fs::path out = folder.path / "made";
+    const Printed report =
+        printed("report --quick --size 32x18 --frames 6 --stage both --scene 2CylinderEngine.glb --out " +
+                out.string());
+    ASSERT_EQ(report.status, 0) << report.text;
+    EXPECT_GT(fs::file_size(out / "index.html"), 100000u);
+    const auto json = nlohmann::json::parse(contents(out / "report.json"));
+    std::set<std::pair<std::string, std::string>> timed;
+    std::map<std::string, std::vector<double>> flip;
+    for (const auto& row : json.at("rows")) {
+        if (row.at("technique") == "temporal_aa") {
+            EXPECT_EQ(row.at("scene"), "2CylinderEngine") << row;
+            EXPECT_GT(row.at("error").at("flip"), 0.0) << row;
+            EXPECT_EQ(row.at("not_finite"), 0) << row;
+            flip[row.at("variant")].push_back(row.at("error").at("flip"));
+        }
+        // Without a time: no anti-aliasing, which has no pass, and what W2 compares.
+        if (row.at("gpu_ms").is_null()) continue;
+        EXPECT_GT(row.at("gpu_ms").at("min"), 0.0) << row;
+        timed.emplace(row.at("technique"), row.at("stage"));
+    }
+    for (const char* technique : {"temporal_aa", "camera_velocity", "occlusion", "shadow"})
+        for (const char* stage : {"fragment", "compute"})
+            EXPECT_TRUE(timed.contains({technique, stage})) << technique << ", " << stage;
+    for (const auto& [variant, errors] : flip)
+        EXPECT_NEAR(errors.front(), errors.back(), 1e-3) << variant << ", its two forms";
+}
+
+// What a user may get wrong ends in one sentence, and leaves nothing behind.
+TEST(ReportCommand, wrongArgumentsEndInASentence) {
+    const TemporaryFolder folder;
+    for (const char* wrong : {"--scene nowhere.glb", "--technique none", "--size 0x18", "--frames 0",
+                              "--stage pixel", "--device nothing-like-this"}) {
+        const Printed report =
+            printed("report " + std::string(wrong) + " --out " + (folder.path / "made").string());
+        EXPECT_NE(report.status, 0) << wrong;
+        EXPECT_FALSE(report.text.empty()) << wrong;
+        EXPECT_FALSE(fs::exists(folder.path / "made")) << wrong;
+    }
 }
 
 TEST(Render, writesTheGroundTruthWithoutADevice) {

@@ -100,12 +100,18 @@ TEST_P(FrameTest, aResizeResetsHistory) {
     TestFrame frame(size);
     shown(recorder, frame, 0.25f, frame.input(0), "first frame");
     ASSERT_TRUE(recorder.resize({17, 9}));
-    const TestFrame small({17, 9});
+    TestFrame small({17, 9});
+    small.fill(small.colour, 0.75f);
     const auto output = recordOne(recorder, small.input(1));
     ASSERT_TRUE(output) << output.error().message;
     EXPECT_EQ(output->resetReason, "resize");
     EXPECT_EQ(output->colour.extent.width, 17u);
-    EXPECT_EQ(recordOne(recorder, small.input(2))->resetReason, "");
+    for (const float value : downloadRef(output->colour))
+        ASSERT_TRUE(std::abs(value - 0.75f) <= tolerance || value == 1.0f) << value << ", the alpha is 1";
+    small.fill(small.colour, 0.25f);
+    const auto next = recordOne(recorder, small.input(2));
+    EXPECT_EQ(next->resetReason, "");
+    EXPECT_NEAR(downloadRef(next->colour)[0], blended(0.75f, 0.25f), tolerance);
     EXPECT_EQ(recorder.plan().images.front().extent.width, 17u);
 }
 

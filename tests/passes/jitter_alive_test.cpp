@@ -107,10 +107,12 @@ std::string firstDeparture(const std::vector<glm::dvec2>& offsets, const Sequenc
 
 class JitterAlive : public PassTest, public testing::WithParamInterface<scenes::DepthKind> {};
 INSTANTIATE_TEST_SUITE_P(DepthKinds, JitterAlive,
-                         testing::Values(scenes::DepthKind::standard, scenes::DepthKind::reversedInfinite),
+                         testing::Values(scenes::DepthKind::standard, scenes::DepthKind::reversed,
+                                         scenes::DepthKind::reversedInfinite),
                          [](const auto& each) {
-                             return each.param == scenes::DepthKind::standard ? "standard"
-                                                                              : "reversedInfinite";
+                             return each.param == scenes::DepthKind::standard   ? "standard"
+                                    : each.param == scenes::DepthKind::reversed ? "reversed"
+                                                                                : "reversedInfinite";
                          });
 
 glm::dvec2 halton16(uint64_t frame) {
@@ -127,7 +129,7 @@ TEST_P(JitterAlive, renderedDepthMovesAlongTheSequence) {
     EXPECT_EQ(firstDeparture(offsetsOf(sequenceOf(reprise::JitterSequence::halton8), 16, GetParam()),
                              [](uint64_t frame) { return oracle::haltonJitterPx(frame, 8); }),
               "");
-    EXPECT_EQ(firstDeparture(offsetsOf(sequenceOf(reprise::JitterSequence::uniform4Helix), 8, GetParam()),
+    EXPECT_EQ(firstDeparture(offsetsOf(sequenceOf(reprise::JitterSequence::uniform4Helix), 16, GetParam()),
                              oracle::uniform4HelixJitterPx),
               "");
 }

@@ -152,28 +152,32 @@ float largestDifference(const Pixels& a, const Pixels& b) {
 // are in float32: a half float stops forgetting when a step is lost in rounding, at 2^-11 / (1 - weight).
 TEST_P(Poison, whatItLeavesInHistoryDecaysAsTheWeightsPowers) {
     const Variant variant =
-        variantOf(pack(), "temporal_aa", {{"CONSTRAINT", "none"}, {"MOTION_BLUR_FALLBACK", "off"}});
+        variantOf(pack(), "temporal_aa",
+                  {{"CONSTRAINT", "none"}, {"CLOSEST_FRAGMENT", "off"}, {"MOTION_BLUR_FALLBACK", "off"}});
     Pass pass(variant, GetParam(), {rgba32f});
     TemporalAaFrame clean = wideFrame(13);
     poisonAll(clean.velocity, 0.0f);
     clean.parameters.gFeedbackMax = 0.75f;
-    for (const float value : poisons) {
-        TemporalAaFrame cleanRun = clean, poisonedRun = clean;
-        poisonTexel(poisonedRun.colour, {7, 6}, value);
-        cleanRun.history = run(pass, cleanRun)[0];
-        poisonedRun.history = run(pass, poisonedRun)[0];
-        const float first = largestDifference(cleanRun.history, poisonedRun.history);
-        EXPECT_GT(first, 0.0f) << value;
-        poisonedRun.colour = clean.colour; // the poison is gone
-        for (int frame = 1; frame <= 8; ++frame) {
+    for (const std::string_view input : {"gInColour", "gInVelocity", "gHistoryColour"})
+        for (const float value : poisons) {
+            const std::string what = poisonText(input, value, {7, 6});
+            TemporalAaFrame cleanRun = clean, poisonedRun = clean;
+            poisonTexel(inputOf(poisonedRun, input), {7, 6}, value);
             cleanRun.history = run(pass, cleanRun)[0];
             poisonedRun.history = run(pass, poisonedRun)[0];
-            EXPECT_EQ(firstBroken({poisonedRun.history}), "") << value;
-            const float left = largestDifference(cleanRun.history, poisonedRun.history);
-            EXPECT_LE(left, first * std::pow(0.75f, static_cast<float>(frame)) * 1.001f)
-                << value << ", frame " << frame;
+            const float first = largestDifference(cleanRun.history, poisonedRun.history);
+            EXPECT_GT(first, 0.0f) << what;
+            poisonedRun.colour = clean.colour; // the poison is gone
+            poisonedRun.velocity = clean.velocity;
+            for (int frame = 1; frame <= 8; ++frame) {
+                cleanRun.history = run(pass, cleanRun)[0];
+                poisonedRun.history = run(pass, poisonedRun)[0];
+                EXPECT_EQ(firstBroken({poisonedRun.history}), "") << what;
+                const float left = largestDifference(cleanRun.history, poisonedRun.history);
+                EXPECT_LE(left, first * std::pow(0.75f, static_cast<float>(frame)) * 1.001f)
+                    << what << ", frame " << frame;
+            }
         }
-    }
 }
 
 // Where the depth is broken, so is the camera's motion: history is dropped, or comes from anywhere in the

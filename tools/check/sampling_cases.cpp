@@ -410,11 +410,12 @@ Case sharedInRow(const std::string& function, const std::string& value) {
 }
 
 std::vector<Case> sharedInRows() {
-    return {sharedInRow("subgroupColumn", "WaveReadLaneAt(in0.xyz, WaveGetLaneIndex() - column + other)"),
-            sharedInRow("laneInRow", "WaveReadLaneAt(in0.xyz, laneInRow(other))"),
-            sharedInRow("valueInRow", "valueInRow(in0.xyz, other)"),
-            sharedInRow("outerNeighbour", "outerNeighbour(isEnd ? none : given, isEnd ? given : none)"),
-            sharedInRow("halfRowSwap", "halfRowSwap(halfRowSwap(valueInRow(in0.xyz, other)))")};
+    return {
+        sharedInRow("subgroupColumn", "WaveReadLaneAt(in0.xyz, WaveGetLaneIndex() - column + other)"),
+        sharedInRow("laneInRow", "WaveReadLaneAt(in0.xyz, laneInRow(other))"),
+        sharedInRow("valueInRow", "valueInRow(in0.xyz, other)"),
+        sharedInRow("outerNeighbour", "outerNeighbour(isEnd ? none : given, isEnd ? given : none)"),
+        sharedInRow("halfRowSwap", "halfRowSwap(valueInRow(in0.xyz, other ^ (SUBGROUP_ROW_WIDTH / 2u)))")};
 }
 
 } // namespace

@@ -139,10 +139,12 @@ Claim bestAgainstInside(const Judge& judge) {
     for (const auto& scene : judge.plan().scenes) {
         const Row *best = judge.row("temporal_aa", "best", scene.name),
                   *inside = judge.row("temporal_aa", "inside", scene.name);
-        if (!best || !inside || !best->error.flip || !inside->error.flip || !best->gpu || !inside->gpu)
-            continue;
+        const auto measured = [](const Row* row) {
+            return row && row->error.flip && row->error.flicker && row->gpu;
+        };
+        if (!measured(best) || !measured(inside)) continue;
         const bool wins = *best->error.flip < *inside->error.flip &&
-                          best->error.flicker.value_or(0.0) <= inside->error.flicker.value_or(0.0) &&
+                          *best->error.flicker < *inside->error.flicker &&
                           best->gpu->median <= inside->gpu->median;
         if (scene.cutFrame >= 0) {
             cut += scene.name + (wins ? ": yes" : ": no");

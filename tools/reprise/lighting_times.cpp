@@ -156,9 +156,12 @@ TimedPlan addPlan(Experiment& e, Stopwatch& watch, const std::string& label, con
                   const reprise::SceneNeeds& needs, Stage stage, const std::shared_ptr<TimedInput>& input) {
     const reprise::Settings settings = settingsOf(spec, stage);
     const reprise::CacheTuning& tuning = spec.tuning;
-    auto recorder = std::make_shared<reprise::FrameRecorder>(orThrow(reprise::FrameRecorder::create(
-        e.gpu.device(), e.shaders.pack().passes(), e.shaders.source(),
-        {.needs = needs, .settings = settings, .extent = {input->size.width, input->size.height}})));
+    auto recorder = std::make_shared<reprise::FrameRecorder>(
+        orThrow(reprise::FrameRecorder::create(e.gpu.device(), e.shaders.pack().passes(), e.shaders.source(),
+                                               {.needs = needs,
+                                                .settings = settings,
+                                                .extent = {input->size.width, input->size.height},
+                                                .framesInFlight = Stopwatch::mostTurns})));
     TimedPlan timed{label, {}, recorder->plan()};
     auto index = std::make_shared<uint64_t>(0);
     watch.addSection(label, [recorder, index, input, tuning](VkCommandBuffer commands) {

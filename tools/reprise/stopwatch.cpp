@@ -20,10 +20,10 @@ constexpr std::chrono::seconds warmUp{2};
 // In a round. Noise has a larger share of a section of a millisecond than of one of twenty: it has more
 // turns.
 size_t turnsOf(const std::vector<double>& milliseconds) {
-    constexpr double turnsMs = 8.0, mostTurns = 4.0;
+    constexpr double turnsMs = 8.0;
     if (milliseconds.empty()) return 1;
     const double least = *std::min_element(milliseconds.begin(), milliseconds.end());
-    return static_cast<size_t>(std::clamp(turnsMs / least, 1.0, mostTurns));
+    return static_cast<size_t>(std::clamp(turnsMs / least, 1.0, double(Stopwatch::mostTurns)));
 }
 
 using harness::PassRunner;
