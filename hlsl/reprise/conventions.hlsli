@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conventions that every header and pass shares. docs/conventions.md has the same list with pictures.
+// The conventions that every header and pass shares. docs/conventions.md has the same list at length.
 //
 // Names      Suffix: WS world, VS view, CS clip, NDC, UV, PX pixels. Prefix prev: the frame before.
 // View space x right, y up, +z forward. Linear depth is view z in metres, positive in front of the camera.

@@ -22,7 +22,7 @@ float2 quadSide(float2 positionPx) {
 // Shader model 5 has no quad operations: there only who asks for them meets the compiler's refusal.
 #if !PLATFORM_D3D11 || QUAD_SHARING
 
-// A power of two from 8 to the size of the device's subgroups, at most 32. The runtime gives the largest.
+// A power of two, 8 to 32, not above the least size of the device's subgroups. The runtime gives the largest.
 CONSTANT_ID(0) const uint SUBGROUP_ROW_WIDTH = 8;
 
 // Place in the row, from 0 on.

@@ -38,6 +38,17 @@ file(GLOB scene_shaders "${SOURCE}/tools/scenes/*.hlsl" "${SOURCE}/tools/scenes/
 file(COPY ${scene_shaders} DESTINATION "${OUT}/share/reprise/scenes")
 file(COPY "${SOURCE}/LICENSE" DESTINATION "${OUT}")
 
+# The libraries' own terms, as Debian keeps them beside each package.
+foreach(library ${libraries} "${EMBREE}")
+    file(REAL_PATH "${library}" real)
+    string(REGEX MATCH "[^/]+/[^/]+$" place "${real}") # x86_64-linux-gnu/libz.so.1.2.13
+    execute_process(COMMAND dpkg-query -S "*/${place}" OUTPUT_VARIABLE owner ERROR_QUIET)
+    if(NOT owner MATCHES "^([^:,\n]+)")
+        message(FATAL_ERROR "No package owns ${real}, so its terms are unknown; the folder is made on Debian.")
+    endif()
+    file(COPY_FILE "/usr/share/doc/${CMAKE_MATCH_1}/copyright" "${OUT}/lib/${CMAKE_MATCH_1}.copyright")
+endforeach()
+
 file(GLOB_RECURSE files "${OUT}/*")
 set(bytes 0)
 foreach(file ${files})
