@@ -81,7 +81,8 @@ function(_reprise_command_per_module target scene directory targets outputs)
         add_custom_command(
             OUTPUT ${files}
             COMMAND Reprise::reprisec --pack "${pack}" --out "${directory}" --variant "${variant}"
-                    --stage "${stage}" --targets ${kinds_of_${variant}_${stage}} ${defines} --jobs 1 --depfile "${first}.d"
+                    --stage "${stage}" --targets ${kinds_of_${variant}_${stage}} ${defines} --jobs 1
+                    --depfile "${first}.d"
             DEPENDS Reprise::reprisec
             DEPFILE "${first}.d"
             COMMENT "Compiling ${variant} (${stage})"

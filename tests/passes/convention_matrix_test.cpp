@@ -140,7 +140,8 @@ struct MotionForm {
 constexpr MotionForm forms[] = {{"curr - prev", {1.0f, 1.0f}},
                                 {"prev - curr", {-1.0f, -1.0f}},
                                 {"NDC", {0.5f, -0.5f}},
-                                {"-NDC", {-0.5f, 0.5f}}};
+                                {"-NDC", {-0.5f, 0.5f}},
+                                {"pixels", {1.0f / width, 1.0f / height}}};
 
 TemporalAaFrame frameOf(const CameraCase& camera, const Pixels& velocity, const MotionForm& form) {
     TemporalAaFrame frame;

@@ -38,7 +38,9 @@ file(GLOB scene_shaders "${SOURCE}/tools/scenes/*.hlsl" "${SOURCE}/tools/scenes/
 file(COPY ${scene_shaders} DESTINATION "${OUT}/share/reprise/scenes")
 file(COPY "${SOURCE}/LICENSE" DESTINATION "${OUT}")
 
-# The libraries' own terms, as Debian keeps them beside each package.
+# The terms of what others made, as Debian keeps them: of the packages that own the shared libraries, and of
+# those whose headers and static libraries are in the program.
+file(STRINGS "${SOURCE}/cmake/packages.txt" packages REGEX "-dev$|^spirv-tools$")
 foreach(library ${libraries} "${EMBREE}")
     file(REAL_PATH "${library}" real)
     string(REGEX MATCH "[^/]+/[^/]+$" place "${real}") # x86_64-linux-gnu/libz.so.1.2.13
@@ -46,7 +48,11 @@ foreach(library ${libraries} "${EMBREE}")
     if(NOT owner MATCHES "^([^:,\n]+)")
         message(FATAL_ERROR "No package owns ${real}, so its terms are unknown; the folder is made on Debian.")
     endif()
-    file(COPY_FILE "/usr/share/doc/${CMAKE_MATCH_1}/copyright" "${OUT}/lib/${CMAKE_MATCH_1}.copyright")
+    list(APPEND packages "${CMAKE_MATCH_1}")
+endforeach()
+foreach(package ${packages})
+    file(MAKE_DIRECTORY "${OUT}/share/doc/${package}")
+    file(COPY_FILE "/usr/share/doc/${package}/copyright" "${OUT}/share/doc/${package}/copyright")
 endforeach()
 
 file(GLOB_RECURSE files "${OUT}/*")

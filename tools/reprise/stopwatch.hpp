@@ -34,8 +34,8 @@ public:
     void addFloors(reprise::Stage stage, harness::Image& source);
     // A pass and its own floor. Adding one twice is adding it once. `data` must outlive run().
     void addPass(const reprise::Variant& variant, reprise::Stage stage, const PassData& data);
-    // A round is one submission, in which a section may have so many turns: what `record` takes by turns, as
-    // a FrameRecorder its frames in flight, it needs so often.
+    // How often a section is recorded in one submission, at most: a FrameRecorder that records it needs as
+    // many frames in flight.
     static constexpr uint32_t mostTurns = 4;
     // Anything else, by a name of its own.
     void addSection(std::string name, std::function<void(VkCommandBuffer)> record);
